@@ -1,5 +1,5 @@
-// Tests of bodies that move, turn, grow, appear and vanish while a hand touches them. The brute-force judge checks each
-// body in the body's own frame.
+// Tests that bodies which move, turn, grow, appear and vanish while a hand touches them feel as they should. The
+// brute-force judge checks each body in the body's own frame.
 #include <algorithm>
 
 #include "tests/property/replay.h"
@@ -11,7 +11,7 @@ namespace bodies_test {
 
 constexpr double kTick_s = 1e-3;
 
-// A scene with bodies, their current poses, and a hand. It runs one tick at a time.
+// A scene with bodies, the current poses of the bodies, and a hand. tick() runs one tick.
 struct Rig {
     std::shared_ptr<const HapticScene> scene;
     std::vector<BodyPose> poses;
@@ -27,7 +27,7 @@ struct Rig {
         if (something_moved) ++number;
         return last = touch_tick(state, *scene, tuning, goal, kTick_s, Vec3(0.0), {poses, number});
     }
-    // Returns the distance of the proxy's surface from a shape in the pose of this body.
+    // Returns the distance between the proxy's surface and the shape in `judge`, in the pose of body `body`.
     double gap(const BruteForce& judge, std::size_t body) const {
         const PlacedFrame frame(poses[body].at);
         return static_cast<double>(judge.distance(frame.to_own(last.proxy_m), 10.0L)) * frame.scale - last.radius_m;
@@ -52,9 +52,9 @@ Rotation random_rotation(std::mt19937& random) {
     return normalized({normal(random), normal(random), normal(random), normal(random)});
 }
 
-// Case T18: a box comes to a still hand with each of its six faces, as a box and as a mesh, in any orientation and at
-// several speeds. Nothing enters the proxy. Contact begins in the tick in which the box arrives. The proxy then moves
-// exactly with the face, and the force is perpendicular to the face.
+// Case T18: each of the six faces of a box moves against a still hand, as a box and as a mesh, in any orientation and
+// at several speeds. Nothing enters the proxy. Contact begins in the tick in which the box arrives. The proxy then
+// moves exactly with the face, and the force is perpendicular to the face.
 TEST(Bodies, a_box_that_moves_against_a_still_hand_is_felt_on_every_face) {
     const auto seed = seed_of_run();
     std::mt19937 random(seed);
@@ -245,8 +245,8 @@ TEST(Bodies, a_thousand_appearing_and_vanishing_things_never_knock) {
     }
 }
 
-// Does the same with scenes that contain or lack a static object, as when the person adds an object to a world or
-// removes it.
+// Does the same as the test above with scenes that contain or lack a static object, as when the person adds an object
+// to a world or removes it.
 TEST(Bodies, adding_and_removing_static_things_under_the_hand_is_gentle) {
     HapticSceneBuilder with;
     with.add_box({{-1, -1, -1}, {1, 1, 0.002}}, SurfaceLabel{FeatureId{5}, 0, false});
@@ -288,7 +288,7 @@ TEST(Bodies, friction_carries_the_ball_on_a_moving_floor) {
             ASSERT_LE(std::abs(f.x), mu * f.z * (1.0 + 1e-6) + 1e-9);
             drawn = std::max(drawn, f.x);
         }
-        // The hand is 3 mm deep at 1 kN/m. The floor draws the proxy along until the proxy slips.
+        // The hand is 3 mm deep at 1 kN/m. The floor draws the proxy along until friction can hold it no longer.
         EXPECT_NEAR(drawn, mu * 3.0, 0.02);
     }
 }
@@ -356,7 +356,7 @@ TEST(Bodies, moving_random_heaps_let_nothing_in) {
     EXPECT_GT(3 * touched, rounds) << "seed " << seed0;
 }
 
-// Still bodies feel the same as their shapes in a still scene, apart from the placement: the force turns with the
+// A still body feels the same as its shape in a still scene. Only the direction of the force is rotated with the body's
 // placement.
 TEST(Bodies, a_placed_body_feels_like_its_rotated_shape) {
     const TouchCase c = hard_cases()[3];

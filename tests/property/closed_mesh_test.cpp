@@ -1,4 +1,4 @@
-// Closed meshes that are not convex: the hand never enters them, and it comes out if it begins inside one.
+// Tests closed meshes that are not convex: the hand never enters them, and it comes out if it begins inside one.
 #include <gtest/gtest.h>
 
 #include <random>

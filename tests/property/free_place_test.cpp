@@ -1,4 +1,4 @@
-// Tests of "Bring me out", which moves a hand from any place to a place outside all obstacles.
+// Tests "Bring me out", which moves a hand from any place to a place outside all obstacles.
 #include "haptic/render/free_place.h"
 
 #include "haptic/compile/compile_haptic.h"
@@ -12,7 +12,7 @@
 namespace handrail::test {
 namespace free_place_test {
 
-// The judge checks the places in heaps of solids and sheets.
+// The judge checks the found places, in heaps of solids and sheets.
 TEST(FreePlace, a_thousand_random_starts_end_outside_every_solid) {
     const auto seed = seed_of_run();
     std::mt19937 random(seed);

@@ -1,7 +1,7 @@
 // Compares friction in every tick with the static solution, computed by hand. The hand's straight path meets a surface
 // at one point. From there the proxy lags behind its resting place by the friction coefficient times the depth. If the
-// path along the surface is shorter, the lag is that path. Motion before that point does not count: at any speed, a
-// straight press feels as if there were no friction.
+// path along the surface is shorter than that, the lag is the path's length. Motion before that point does not count:
+// at any speed, a straight press feels as if there were no friction.
 #include <array>
 #include <random>
 
@@ -16,9 +16,10 @@ namespace handrail::test {
 namespace friction_exact_test {
 
 constexpr double kTick_s = 1e-3, kRadius_m = 0.005;
-// Tolerance. For a solid, a side is exact at any distance. For triangles, the proxy counts as touching one at distances
-// below 1e-8 m, so lag and position may each differ by this much. No path here crosses the seam between two triangles.
-// At a seam the solver's rounds bend the proxy's path aside by up to 0.03 mm, and friction preserves the displacement.
+// Tolerance of lag and position. For a solid, the side of the solid is exact at any distance. For triangles, the proxy
+// touches a triangle if it is nearer than 1e-8 m, so lag and position may each differ by this much. No path here
+// crosses the seam between two triangles. At a seam the solver's rounds bend the proxy's path aside by up to 0.03 mm,
+// and friction preserves the displacement.
 constexpr double exact_m(int form) { return form == 2 ? 3e-8 : 1e-12; }
 
 // The friction coefficients of the tests: the program's default, slippery, rough, and too rough to slip at a right
@@ -48,7 +49,7 @@ TouchWorld slab(int form, bool wall) {
 }
 
 // Calls `each` for slabs that are rotated and shifted at random, in every form and with every coefficient and speed.
-// `each` receives a scene, its motion, a tuning and the tolerance.
+// `each` receives a scene, the slab's motion, a tuning and the tolerance.
 template <class Each>
 void on_slabs(bool wall, const Each& each) {
     std::mt19937 random(5);
@@ -62,8 +63,8 @@ void on_slabs(bool wall, const Each& each) {
             }
 }
 
-// Moves the hand from a to b at this speed; in the last tick it is at b. `check` receives the hand's position and the
-// force, both in the slab's frame.
+// Moves the hand from a to b at `speed`, so that it is at b in the last tick. `check` receives the hand's position and
+// the force, both in the slab's frame.
 template <class Check>
 void go(TouchState& state, const HapticScene& scene, const Motion& motion, const TouchTuning& tuning, const Vec3& a,
         const Vec3& b, double speed, const Check& check) {

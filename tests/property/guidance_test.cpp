@@ -1,4 +1,4 @@
-// A thousand random hands are guided while they push at random. Guidance never exceeds its limits of force, speed,
+// Tests guidance with a thousand random hands that push at random. Guidance never exceeds its limits of force, speed,
 // change of force and energy. It releases the hand exactly when the hand resists for long enough.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -84,9 +84,9 @@ void lead_one(const DeviceSpec& spec, std::mt19937& random, Measured& worst) {
             ASSERT_LE(glm::length(state.tool().force_n), most_n + 1e-9) << "nothing else acts here";
             worst.force_n = std::max(worst.force_n, glm::length(force));
             // Computes the greatest change of force in one tick that the law of the pull permits. The spring acts on
-            // the distance between the hand and the pulling point. That point moves as far as the hand, plus 0.04 mm by
-            // itself. The reduction with speed depends on the hand's velocity, smoothed over 20 ms, and on the
-            // direction in which it is measured. The ramp at the beginning and the fade at the end are added.
+            // the distance between the hand and the pulling point. That point moves as far as the hand, and by up to
+            // 0.04 mm more. The reduction with speed depends on the hand's velocity, smoothed over 20 ms, and on the
+            // direction in which the velocity is measured. The ramp at the beginning and the fade at the end are added.
             const double step_n = glm::length(force - last_force),
                          moved_m = glm::length(sample.position_m - last_sample);
             const Vec3 velocity_before = velocity;
@@ -113,8 +113,8 @@ void lead_one(const DeviceSpec& spec, std::mt19937& random, Measured& worst) {
             if (now_s - free_since_s > 0.7)
                 worst.free_speed_m_per_s = std::max(worst.free_speed_m_per_s, glm::length(felt.velocity_m_per_s));
             given_j += glm::dot(0.5 * (force + last_force), felt.position_m - last_hand);
-            // A pull of most_n that ends at 5 cm/s can give a power of at most most_n * 1.25 cm/s, plus the energy
-            // stored in one spring.
+            // If a pull of most_n ends at 5 cm/s, its power is at most most_n * 1.25 cm/s. The energy stored in one
+            // spring is added.
             const double may_j =
                 most_n * 0.0125 * (now_s - 1.5) + 0.5 * most_n * most_n / Guidance::kStiffness_n_per_m + 2e-4;
             worst.worst_power_share = std::max(worst.worst_power_share, given_j / may_j);

@@ -1,4 +1,4 @@
-// The hard cases with their expected numbers. The calculation of each number is next to it.
+// Tests the hard cases against their expected numbers. The calculation of each number is next to it.
 #include "tests/property/replay.h"
 #include "tests/support/names.h"
 #include "tests/support/random_families.h"
@@ -14,8 +14,8 @@ TouchCase case_named(const std::string& prefix, double radius_m = 0.005) {
     return {};
 }
 
-// Runs every tick of a case and passes it to `check` in the world's own frame. The world is unchanged, or rotated and
-// shifted with three seeds.
+// Runs every tick of a case and passes the tick to `check` in the world's own frame. The world is unchanged, or rotated
+// and shifted with three seeds.
 template <class Check>
 void everywhere(const TouchCase& c, const TouchTuning& tuning, Check&& check) {
     for (const std::uint32_t seed : {0U, 21U, 22U, 23U}) {
@@ -113,7 +113,7 @@ TEST(HardCase, T5_a_ball_rests_in_a_crevice_where_both_sides_support_it) {
                 EXPECT_NEAR(ball.x, 0.0, 1e-8);
                 EXPECT_NEAR(ball.y, goal.y, 1e-8);
             }
-        // The walls of the groove do not amplify encoder steps of 0.06 mm.
+        // The walls of the groove do not amplify a hand's encoder steps of 0.06 mm.
         std::vector<Vec3> coarse = c.goals_m;
         for (Vec3& g : coarse) g = glm::round(g / 6e-5) * 6e-5;
         Vec3 last_ball = coarse[0], last_goal = coarse[0];
@@ -194,8 +194,8 @@ TEST(HardCase, T13_stalls_of_the_hand_lead_the_ball_where_a_steady_hand_would) {
             const Motion motion = seed == 0 ? Motion{} : random_turn(random);
             EXPECT_LE(error_against_reference(c, motion, uncapped_tuning(c.radius_m)), 1e-8)
                 << name << " seed " << seed;
-            // The solver has its speed cap, and only ticks that the cap did not cut short count. The reference starts
-            // each tick from the proxy's last place.
+            // The solver has its speed cap, so only ticks that the cap did not cut short are compared. The reference
+            // starts each tick from the proxy's last place.
             const BruteForce judge = c.world.judge(motion);
             ReferenceProxy reference(judge, motion(c.goals_m.front()), c.radius_m);
             std::size_t compared = 0;
@@ -286,7 +286,7 @@ TEST(HardCase, I9_at_an_edge_the_energy_gain_is_that_of_a_rolling_ball) {
     }
 }
 
-// Second half of invariant I6, with triangle soups of many sizes.
+// Tests the second half of invariant I6, with triangle soups of many sizes.
 TEST(HardCase, T16_I6_in_triangle_soups_the_ball_is_where_it_should_be_on_999_of_1000_ticks) {
     const std::uint32_t seed0 = seed_of_run();
     std::size_t ticks = 0, unsettled = 0, off = 0;
@@ -378,8 +378,8 @@ TEST(HardCase, closed_loops_give_the_hand_no_energy) {
                        last_goal = g;
                        last_force = r.force_n;
                    });
-            // The limit is the error of the trapezoidal rule itself, for part of a step whenever contact begins or
-            // ends.
+            // The limit is the error of the trapezoidal rule itself, which occurs in the step in which a contact begins
+            // or ends.
             EXPECT_LE(energy, events * 1000.0 * longest * longest / 8 + 1e-6) << c.name << " mu " << mu;
         }
     }

@@ -1,4 +1,5 @@
-// Invariants that must be true on every tick in every world, judged by brute force. Tests name them by number:
+// Tests the invariants that must be true on every tick in every world, judged by brute force. Tests name them by
+// number:
 // - I1 to I3: the proxy and its whole path stay outside everything, and all numbers are finite.
 // - I4: each cut contains the proxy and supports its obstacle.
 // - I5: the proxy never moves away from the hand.
@@ -13,8 +14,8 @@
 // - I14: order and number of repetitions of obstacles make no difference.
 // - I15: finer triangles of the same surface make no difference.
 // - I16: the work of a tick is bounded.
-// - I17: a solver that is stopped early is as safe.
-// - I18: cuts that are fifty milliseconds old are as safe.
+// - I17: if the solver is stopped early, I1, I2, I3 and I5 are still true.
+// - I18: with cuts that are fifty milliseconds old, I2 and I3 are still true.
 #include "tests/property/replay.h"
 #include "tests/support/names.h"
 #include "tests/support/random_families.h"
@@ -22,8 +23,8 @@
 namespace handrail::test {
 namespace invariants_test {
 
-// The listed hard cases, then one case of each random family with this run's seed. HANDRAIL_SEED=... repeats a run with
-// a failing seed.
+// Returns the listed hard cases, then one case of each random family with this run's seed. HANDRAIL_SEED=... repeats a
+// run with a failing seed.
 std::vector<TouchCase> all_cases() {
     std::vector<TouchCase> cases = hard_cases();
     for (std::size_t family = 0; family < kRandomFamilies; ++family)
@@ -228,7 +229,7 @@ TEST_P(EveryCase, feels_the_same_far_from_the_origin) {  // invariant I13
         const double worst =
             largest_difference(here, trace(case_.world, case_.goals_m, motion, tuning), most_unsettled());
         // Far from the origin, the world's own coordinates are rounded to 1e-13 m and 1e-10 m, and edges and crevices
-        // multiply this error. In the narrowest random grooves the error is up to 50 times that of the listed ones
+        // multiply this error. In the narrowest random grooves the error is up to 50 times that of the listed grooves
         // (4.8e-9 m at 1 km with seed 196324; in none of 250 other seeds).
         if (case_.tidy) {
             EXPECT_LE(worst, tolerance * (!case_.concave ? 1e3 : is_random() ? 100.0 : 4.0)) << far;
@@ -297,13 +298,14 @@ TEST_P(EveryCase, is_as_safe_with_cuts_that_are_fifty_milliseconds_old) {  // in
     const TouchTuning looking = plain_tuning(case_.radius_m);
     TouchTuning blind = looking;
     blind.most_rounds = 0;
-    // With this stride, the judged ticks include every phase of the fifty ticks between renewals.
+    // The stride is chosen so that the judged ticks include every phase of the fifty ticks between renewals.
     EXPECT_LE(
         deepest_overlap(case_, motion, stride() * 2 + 1, [&](std::size_t i) { return i % 50 == 0 ? looking : blind; }),
         1e-9);
 }
 
-// I16. The tests unit_render and unit_servo_realtime check that a tick allocates no memory and uses no lock or clock.
+// Invariant I16. The tests unit_render and unit_servo_realtime check that a tick allocates no memory and uses no lock
+// or clock.
 TEST_P(EveryCase, never_works_more_than_its_bound) {
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     replay(*case_.world.scene(), case_.goals_m, {}, plain_tuning(case_.radius_m),

@@ -1,5 +1,5 @@
-// Sheets that can be touched only from one side. A closed surface of such sheets is solid from that side and is not
-// felt from the other.
+// Tests sheets that can be touched only from one side. A closed surface of such sheets is solid from that side and is
+// not felt from the other.
 #include <iostream>
 
 #include "tests/property/replay.h"
@@ -84,7 +84,7 @@ TEST(OneSidedSheets, of_a_closed_skin_let_the_hand_leave_and_are_solid_again_fro
             const TouchWorld world = cube(kHalf, side, speed < 1.0, random);
             const auto scene = world.scene();
             // With Front, the hand is free on the path from the inside outwards, and the cube is solid on the way back.
-            // With Back, it is the reverse.
+            // With Back, the cube is solid on the way out and free on the way back.
             const double free_start = side == TouchSide::Front ? 0.0 : 0.08,
                          free_end = side == TouchSide::Front ? 0.08 : 0.0;
             TouchState state;

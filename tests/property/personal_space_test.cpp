@@ -1,5 +1,5 @@
-// The wall between world and desk, which simulated hands cross in many different ways. The wall never drives the hand
-// and never knocks, and the hand returns to the place in the world that it left.
+// Tests the wall between world and desk, which simulated hands cross in many different ways. The wall never drives the
+// hand and never knocks, and the hand returns to the place in the world that it left.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -337,8 +337,8 @@ TEST(PersonalSpace, a_wall_behind_the_person_is_explored_like_any_other) {
     }
 }
 
-// When the pull takes the hand through the wall, the hand is pressing against an object of the world; when it comes
-// back, against the desk.
+// When the pull takes the hand to the desk, the hand is pressing against an object of the world. When the hand comes
+// back, it is pressing against the desk.
 TEST(PersonalSpace, a_contact_on_one_side_is_left_behind_without_a_knock) {
     for (const char* device : kDevices) {
         SCOPED_TRACE(device);

@@ -1,5 +1,5 @@
-// Very many triangles meet in one point, as at the pole of a sphere of meridians. The test checks how accurate the
-// force is while all of these triangles can be candidates.
+// Tests how accurate the force is if very many triangles meet in one point, as at the pole of a sphere of meridians.
+// All of these triangles can be candidates.
 #include "haptic/render/proxy_solver.h"
 #include "haptic/render/touch.h"
 #include "tests/support/names.h"
@@ -49,9 +49,9 @@ OverPole slide_over_pole(int sectors, int ticks) {
     return out;
 }
 
-// Measured: 0.61 degrees for 500 triangles and 0.68 for 1,000. Before the work of a tick was bounded, the limit was
-// half a degree, and 0.44 and 0.22 were measured. Examining a thousand triangles takes most of the work that a tick may
-// do. Rounds for which there is no time are made in the next ticks.
+// Measured: 0.61 degrees for 500 triangles and 0.68 for 1,000. Before the work of a tick was bounded, the limit of this
+// test was half a degree, and 0.44 and 0.22 degrees were measured. Examining a thousand triangles takes most of the
+// work that a tick may do. The remaining rounds are then made in the next ticks.
 TEST(Pole, with_as_many_triangles_as_candidates_is_felt_within_seven_tenths_of_a_degree) {
     for (const int sectors : {500, 1000}) {
         const OverPole over = slide_over_pole(sectors, 8000);
@@ -63,8 +63,8 @@ TEST(Pole, with_as_many_triangles_as_candidates_is_felt_within_seven_tenths_of_a
     }
 }
 
-// With more triangles, the proxy waits at a place where it knows all of them. It lags but never enters the sphere, and
-// the solver reports the lag.
+// With more triangles than candidates, the proxy waits at a place where it knows all triangles near it. It lags but
+// never enters the sphere, and the solver reports the lag.
 TEST(Pole, with_more_triangles_than_candidates_holds_the_ball_back_and_reports_it) {
     const OverPole over = slide_over_pole(2 * ProxySolver::kMaxCandidates, 2000);
     EXPECT_GT(over.truncated_share, 0.1);

@@ -1,6 +1,6 @@
-// Hands in buildings. The hand never enters a solid, and proxy and walker pass every door that the file declares. Real
-// buildings take part if the folder HANDRAIL_REAL_WORLDS contains them. With HANDRAIL_LONG_WALKS=1, each building gets
-// 200,000 ticks.
+// Tests hands in buildings. The hand never enters a solid, and proxy and walker pass every door that the world file
+// declares. Real buildings take part if the folder HANDRAIL_REAL_WORLDS contains them. With HANDRAIL_LONG_WALKS=1, each
+// building gets 200,000 ticks.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -28,7 +28,8 @@ class Solids {
 public:
     explicit Solids(const Scene& scene) : scene_(scene), boxes_(boxes_of(scene)) {}
 
-    // Returns the depth of a place in the solid that contains it most deeply; 0 or less if it is in no solid.
+    // Returns the depth of a place in the solid that contains the place most deeply; 0 or less if the place is in no
+    // solid.
     double depth_m(const Vec3& at_m) const {
         boxes_.find({at_m, at_m}, near_);
         double deepest = -1.0;
@@ -60,7 +61,7 @@ struct Building {
     std::shared_ptr<const Scene> scene;
 };
 
-// Returns places in the rooms that the file states. If it states none, returns the starts.
+// Returns places in the rooms that the world file states. If the file states no rooms, returns the starts.
 std::vector<Vec3> places_in(const Scene& scene) {
     std::vector<Vec3> places_m;
     if (scene.stated)
@@ -132,8 +133,8 @@ TEST(RealBuildings, never_let_a_hand_into_a_solid) {
     }
 }
 
-// Returns whether a proxy passes from one point to the other. At Room scale it has a radius of 0.1 m in the building,
-// like a fist.
+// Returns whether a proxy passes from one point to the other. At the scale "Room" the proxy has a radius of 0.1 m in
+// the building, like a fist.
 bool ball_passes(const HapticScene& haptic, const Vec3& from_m, const Vec3& to_m) {
     TouchState state;
     const TouchTuning tuning = test::stiff_ball(0.1);
@@ -146,7 +147,7 @@ bool ball_passes(const HapticScene& haptic, const Vec3& from_m, const Vec3& to_m
     return glm::length(ball - to_m) < 0.02;
 }
 
-// Returns whether a walker passes, by testing points of a body of 0.5 by 0.3 m, 1.7 m tall.
+// Returns whether a walker passes. It tests points of a body of 0.5 by 0.3 m, 1.7 m tall.
 bool body_passes(const Solids& solids, const Vec3& middle_m, const Vec3& way) {
     const Vec3 across = glm::cross(Vec3(0, 0, 1), way);
     for (double along = -0.45; along <= 0.45; along += 0.05)

@@ -17,7 +17,7 @@ inline TouchTuning plain_tuning(double radius_m) {
     return tuning;
 }
 
-// Has no slide-speed cap, so that the tests check only the solver.
+// Returns a tuning without a slide-speed cap, so that the tests check only the solver.
 inline TouchTuning uncapped_tuning(double radius_m) {
     TouchTuning tuning = plain_tuning(radius_m);
     tuning.slide_cap_hand_m = 1.0;
@@ -52,8 +52,8 @@ inline Trace trace(const TouchWorld& world, const std::vector<Vec3>& goals_m, co
     return out;
 }
 
-// Returns the greatest difference over the ticks in which both traces had settled. It is infinite if a larger share of
-// ticks than `most_unsettled` had not.
+// Returns the greatest difference over the ticks in which both traces had settled. If more than the share
+// `most_unsettled` of the ticks had not settled, the result is infinite.
 inline double largest_difference(const Trace& a, const Trace& b, double most_unsettled = 0.01) {
     double worst = 0.0;
     std::size_t unsettled = 0;

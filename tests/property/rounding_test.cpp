@@ -1,5 +1,5 @@
-// Rounded edges are exact at edges and corners, and leave surfaces next to them unchanged. Where solids meet flush
-// there is no groove, and no edge gives energy. The tests use random worlds and print their seeds.
+// Tests that rounded edges are exact at edges and corners, and leave surfaces next to them unchanged. If solids are
+// flush there is no groove, and no edge gives energy. The tests use random worlds and print their seeds.
 #include <iostream>
 
 #include "haptic/compile/compile_haptic.h"
@@ -106,8 +106,8 @@ Building cut_block(std::mt19937& random) {
     return building;
 }
 
-// Returns boxes on an uneven grid, some joined to larger ones. They meet flush and cover each other in every way:
-// partly and wholly, in T-joints, windmills and inner corners.
+// Returns boxes on an uneven grid, some joined to larger ones. They are flush and cover each other in every way: partly
+// and wholly, in T-joints, windmills and inner corners.
 Building blocks(std::mt19937& random) {
     constexpr int kCells = 4;
     std::array<std::array<double, kCells + 1>, 3> at{};
@@ -171,7 +171,7 @@ std::optional<Place> exposed_place(const Building& building, std::mt19937& rando
     const std::size_t k = 1 + random() % (corners.size() - 2);
     double a = unit(random), b = unit(random);
     if (a + b > 1.0) a = 1.0 - a, b = 1.0 - b;
-    // Every other place is close to an edge, where a groove would be.
+    // Every other place is close to an edge, where a wrong rounding would leave a groove.
     if (random() % 2 == 0) a *= 0.1 * unit(random);
     const Place place{corners[0] + (corners[k] - corners[0]) * a + (corners[k + 1] - corners[0]) * b,
                       solid.shape.planes[face].normal};
@@ -191,9 +191,9 @@ void expect_flush_and_within(const Building& building, std::uint32_t seed, std::
         if (!place) continue;
         const double off = distance(*felt, place->at_m);
         ASSERT_GE(off, -2e-5) << "seed " << seed << ": sticks out";
-        // A ball as large as the rounding must be able to touch the place; in an inner corner such a ball touches both
-        // sides farther out. The place must also be a little farther than the radius from all edges. Either solid may
-        // round an edge between them, and both may round a corner.
+        // A ball as large as the rounding must be able to touch the place. In an inner corner it cannot, because there
+        // it touches both sides farther out. The place must also be a little farther than the radius from all edges.
+        // Either solid may round an edge between them, and both may round a corner.
         const bool touchable = distance(*filed, place->at_m + place->normal * kRounding_m) >= kRounding_m - 1e-9;
         if (touchable && ball_reaches(building, place->at_m, place->normal, 1.45 * kRounding_m)) {
             ASSERT_LE(off, 1e-4) << "seed " << seed << ": a groove at " << place->at_m.x << ' ' << place->at_m.y << ' '

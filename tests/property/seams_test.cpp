@@ -1,5 +1,5 @@
-// The proxy never passes where two solids overlap, touch or nearly touch. The hand aims at such seams on purpose, in
-// generated worlds and at the inner seams of a real map.
+// Tests that the proxy never passes where two solids overlap, touch or nearly touch. The hand aims at such seams on
+// purpose, in generated worlds and at the inner seams of a real map.
 #include <iostream>
 
 #include "haptic/compile/compile_haptic.h"
@@ -109,7 +109,7 @@ void no_ray_or_sweep_passes_a_seam_of(const std::filesystem::path& path) {
             face.points_m[corner] * along + face.points_m[(corner + 1) % face.points_m.size()] * (1.0 - along);
         bool shared = false;
         haptic->obstacle_bvh.within(seam - haptic->origin_m, 1e-6, [&](std::uint32_t item, double&) {
-            // The brush with the edge also has distance 0 there, so a second brush must have it, too.
+            // The brush with the edge also has distance 0 from the seam, so a second brush must have distance 0, too.
             const double d = haptic->closest(item, seam - haptic->origin_m).distance_m;
             const bool self = std::abs(d) < 1e-6 &&
                               haptic->closest(item, a.shape.bounds_m.centre_m() - haptic->origin_m).distance_m < 0.0;

@@ -1,4 +1,4 @@
-// Tuning with the rated stiffness, for tests that a hand never enters an obstacle.
+// Makes a tuning with the rated stiffness, for tests that a hand never enters an obstacle.
 #pragma once
 
 #include "haptic/render/touch.h"

@@ -1,6 +1,6 @@
-// Surfaces that feel higher or lower than their geometry must never give a hand energy (invariant I11). These are
-// height textures, friction textures and shaded meshes. Random closed loops run over random worlds, with smooth
-// positions and with a device's encoder steps. The tests print their seeds.
+// Tests that surfaces which feel higher or lower than their geometry never give a hand energy (invariant I11). Such
+// surfaces are height textures, friction textures and shaded meshes. Random closed loops run over random worlds, with
+// smooth positions and with a device's encoder steps. The tests print their seeds.
 #include <cmath>
 
 #include "haptic/render/relief.h"
@@ -151,9 +151,9 @@ TriangleMesh shaken_torus(std::mt19937& random, int around, int across, double s
     return mesh;
 }
 
-// Tests displaced tori and coarse spheres, pressed up to `deepest_m`. If that exceeds the proxy's radius of 5 mm, the
-// proxy jumps across the edges of facets, with and without shading. In each of these ticks, I11 then permits the
-// greatest error of the trapezoidal rule.
+// Tests displaced tori and coarse spheres, pressed up to `deepest_m`. If `deepest_m` exceeds the proxy's radius of 5
+// mm, the proxy jumps across the edges of facets, with and without shading. In each tick with such a jump, I11 permits
+// the greatest error of the trapezoidal rule.
 void gives_no_energy(double deepest_m) {
     const int loops = scaled(40);
     const bool jumps = deepest_m > 0.005;

@@ -1,5 +1,5 @@
-// Random hands among solids move their workspace by rim, by grabbing and by keys. The moving workspace never knocks,
-// never drives the hand and never gives it energy.
+// Tests random hands among solids that move their workspace by rim, by grabbing and by keys. The moving workspace never
+// knocks, never drives the hand and never gives it energy.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ struct RandomWorld {
     Aabb limits_m{Vec3(-6.0), Vec3(6.0)};
 };
 
-// Returns a world with boxes around a free start, or without `walls` one with no obstacle within reach.
+// Returns a world with boxes around a free start. If `walls` is false, the world has no obstacle within reach.
 RandomWorld world_of(std::mt19937& random, bool walls) {
     if (!walls) return {wall_scene(1000.0)};
     const auto uniform = [&](double low, double high) {
@@ -110,8 +110,8 @@ TEST(WorkspaceMoves, neither_knock_nor_push_nor_feed_energy_to_a_random_hand) {
                     if (still) allowed_n = glm::length(force_before);
                     allowed_n = std::max(WorkspaceMover::kMovingForceN, allowed_n - 33.0 * kTick);
                     ASSERT_LE(glm::length(force), allowed_n + 1e-9) << "at tick " << tick;
-                    // A wall explains two kinds of change: the hand's own motion, and a step of the proxy around an
-                    // edge before the force has faded.
+                    // With a wall, there are two more reasons for a change: the hand's own motion, and a step of the
+                    // proxy around an edge before the force has faded.
                     const bool going = allowed_n > WorkspaceMover::kMovingForceN;
                     const double own_n = stiffness * (glm::length(hand.at_m() - hand_before) +
                                                       (going ? rig.tuning.touch.slide_cap_hand_m : 0.0));

@@ -1,5 +1,5 @@
-// More obstacles are near the proxy than a tick has time for. The work of a tick stays bounded, and the proxy never
-// crosses an obstacle that it had no time to examine. Work is counted, not timed.
+// Tests places where more obstacles are near the proxy than a tick has time for. The work of a tick stays bounded, and
+// the proxy never crosses an obstacle that it had no time to examine. Work is counted, not timed.
 #include <algorithm>
 
 #include "haptic/servo/body_playback.h"
@@ -13,7 +13,7 @@ namespace worst_test {
 
 constexpr double kTick_s = 1e-3;
 
-// Returns the distance of a place from the nearest sheet of the scene, in the judge's arithmetic; at most `far_m`.
+// Returns the distance between a place and the nearest sheet of the scene, in the judge's arithmetic; at most `far_m`.
 double sheet_distance(const HapticScene& scene, const Vec3& at_m, double far_m) {
     long double nearest = far_m;
     const Vec3 local = at_m - scene.origin_m;
@@ -158,8 +158,8 @@ TEST(TrackedBodies, give_bit_identical_results_to_tracking_all_bodies) {
             const ProxySolver::Step& a = near.move(*scene, request);
             const ProxySolver::Step& b = all.move(*scene, request);
             if (a.waits || b.waits || near.hurries() || all.hurries()) {
-                // Which bodies are tracked affects how much a tick has time for, and how far the proxy hurries in one
-                // tick. The results may therefore differ, so both solvers start again.
+                // Which bodies are tracked affects how much work a tick has time for, and how far the proxy hurries in
+                // one tick. The results may therefore differ, so both solvers start again.
                 ++parted;
                 near.reset();
                 all.reset();

@@ -1,5 +1,6 @@
-// Closed meshes of any form for tests. A mesh is the outer surface of unit blocks side by side, which may be rotated
-// and distorted. holds() tests independently whether a point is inside: it counts how often a ray crosses the surface.
+// Makes closed meshes of any form for tests. A mesh is the outer surface of unit blocks side by side, which may be
+// rotated and distorted. holds() tests independently whether a point is inside: it counts how often a ray crosses the
+// surface.
 #pragma once
 
 #include <array>
@@ -23,8 +24,8 @@ struct BlockMesh {
     double distance_m(const Vec3& at_m) const;
     // Returns the mesh as one solid of a text STL.
     std::string stl(const std::string& name) const;
-    // Returns the mesh as one object of an .obj. `points` is the number of points in all objects before it, and is
-    // increased.
+    // Returns the mesh as one object of an .obj. `points` is the number of points in all objects before it. The
+    // function adds the number of its own points.
     std::string obj(const std::string& name, std::size_t& points) const;
 };
 

@@ -43,7 +43,7 @@ std::unique_ptr<ChildProcess> ChildProcess::start(const std::vector<std::string>
         ::close(input[1]);
         return nullptr;
     }
-    ::setpgid(child, child);  // called in both processes, so that the group exists whichever runs first
+    ::setpgid(child, child);  // called in both processes, because either may run first and the group must then exist
     ::signal(SIGPIPE, SIG_IGN);
     return std::unique_ptr<ChildProcess>(new ChildProcess(child, input[1]));
 }
@@ -55,7 +55,7 @@ ChildProcess::~ChildProcess() {
 
 void ChildProcess::type(const std::string& text) {
     if (::write(input_, text.data(), text.size()) < 0) {
-        // The child has ended. The test notices that in another way.
+        // The child has ended, and the test notices that in another way, so the error is ignored.
     }
 }
 

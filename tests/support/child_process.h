@@ -1,5 +1,5 @@
-// A foreign program that runs for one test. It has its own process group. The destructor kills the group; if the test
-// dies, the kernel kills the program.
+// Runs a foreign program for one test. The program has its own process group. The destructor kills the group; if the
+// test dies, the kernel kills the program.
 #pragma once
 
 #include <sys/types.h>
@@ -28,13 +28,14 @@ public:
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    void type(const std::string& text);  // writes to its standard input
+    void type(const std::string& text);  // writes `text` to the program's standard input
     void end_input();
     void send(int signal) const;  // sends a signal to the program and to all processes in its group
-    void kill();                  // sends SIGKILL and waits for the end
+    void kill();                  // sends SIGKILL to the group and waits for the program's end
     bool running();
     pid_t pid() const { return pid_; }
-    int exit_status();  // waits for the end; returns 128 + signal number if a signal ended the program
+    // Waits for the program's end and returns its exit status, or 128 + signal number if a signal ended the program.
+    int exit_status();
 
 private:
     ChildProcess(pid_t pid, int input) : pid_(pid), input_(input) {}

@@ -1,5 +1,5 @@
-// Understands directions like a person who hears only them: the form of the legs of a route in English and German, and
-// of the shorter directions that are given if a route is not announced leg by leg. Pure functions.
+// Understands directions like a person who hears only them. The texts are the legs of a route in English and German,
+// and the shorter directions that are given if a route is not announced leg by leg. Pure functions.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// Buildings whose doors have names: our own ones, and real ones if they are present.
+// Lists buildings whose doors have names: the bundled worlds, and real buildings if they are present.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@ namespace handrail::test {
 
 struct KnownBuilding {
     std::filesystem::path file;
-    std::size_t doors = 0;  // number of doors in a wall; others do not count
-    bool large = false;     // true if reading it takes half a minute under a sanitizer
+    std::size_t doors = 0;  // number of doors that are in a wall; other doors are not included
+    bool large = false;     // true if reading the building takes half a minute under a sanitizer
 };
 
 // Writes an office of two storeys into `folder` and returns it with the other buildings. Prints a line for each absent

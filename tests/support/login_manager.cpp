@@ -7,7 +7,7 @@
 namespace handrail::test {
 namespace {
 
-// Debian's own Python, because other versions do not find Debian's packages. It runs without the libraries that the
+// Debian's own Python, because other versions do not find Debian's packages. Python runs without the libraries that the
 // test itself preloads.
 const char* const kPython = "/usr/bin/python3";
 const Environment kPlain{{"LD_PRELOAD", ""}};

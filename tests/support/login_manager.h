@@ -11,10 +11,10 @@ namespace handrail::test {
 
 class LoginManager {
 public:
-    // Returns why it cannot run on this machine, or an empty text if it can.
+    // Returns why the simulated logind cannot run on this machine, or an empty text if it can.
     static std::string why_not();
 
-    // `folder` receives its socket and its output.
+    // `folder` receives the socket and the output of the bus.
     explicit LoginManager(std::filesystem::path folder);
     // Waits until the simulated logind answers.
     bool ready() const;

@@ -11,7 +11,7 @@ std::string box_brush(double x0, double y0, double z0, double x1, double y1, dou
         text += fmt::format("( {} {} {} ) ( {} {} {} ) ( {} {} {} ) {} 0 0 0 1 1\n", ax, ay, az, bx, by, bz, cx, cy, cz,
                             texture);
     };
-    // West; each face is given by three points, clockwise as seen from outside.
+    // the west side; each face is given by three points, clockwise as seen from outside
     face(x0, y0, z0, x0, y1, z0, x0, y0, z1);
     face(x1, y0, z0, x1, y0, z1, x1, y1, z0);  // east
     face(x0, y0, z0, x0, y0, z1, x1, y0, z0);  // south

@@ -1,6 +1,6 @@
 #pragma once
 
-// For tests only. Opens the namespaces of all folders at once, so that a test can use names without their folder.
+// Opens the namespaces of all folders at once, so that a test can use names without their folder. For tests only.
 
 namespace handrail {
 namespace accessible {}

@@ -104,8 +104,8 @@ private:
         within_.push_back(id);
         return id;
     }
-    // Writes a wall that starts at (x, y). If `filled` is "door" or "window", the wall has such an opening in its
-    // middle.
+    // Writes a wall that starts at (x, y). If `filled` is "door" or "window", the wall has an opening of that kind in
+    // its middle.
     void wall(double x, double y, double wide, double deep, const char* filled) {
         const int wall =
             product("IFCWALL", "wall", place(x, y, z_), shape("SweptSolid", {block(0, 0, 0, wide, deep, kTall_m)}));

@@ -19,7 +19,7 @@ constexpr double kPitch = 2.0 * kRoom + kCorridor;  // distance from one corrido
 constexpr double kWall = 0.1, kSlab = 0.2, kStorey = 3.2, kHigh = kStorey - kSlab;
 constexpr double kDoorWidth = 1.0, kDoorHeight = 2.1, kDoorThick = 0.05;
 constexpr int kSteps = 20;
-// kFlightFrom is measured from the corridors' southern edge.
+// kFlightFrom is the distance of the flight from the southern edge of the corridors.
 constexpr double kTread = 0.28, kFlight = kSteps * kTread, kFlightFrom = 3.0;
 constexpr int kLeastThing = 1, kDesk = 5, kChair = 6, kShelf = 7;  // numbers of brushes per piece of furniture
 
@@ -249,8 +249,8 @@ private:
                 boxes.push_back({x - 0.3, y - 0.3, 0.0, x + 0.3, y + 0.3, 0.4 + 0.1 * below(12)});
                 thing(room, "Cupboard" + number, landmark, boxes, "metal");
             } else {
-                // A shelf of boards one above the other. The last free position gets all the brushes that the room
-                // still needs.
+                // A shelf consists of boards one above the other. The furniture at the last free position gets all the
+                // brushes that the room still needs.
                 const int boards = last ? brushes : std::min(brushes, kShelf);
                 const double step = 1.9 / boards;
                 for (int b = 0; b < boards; ++b)

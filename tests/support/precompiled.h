@@ -1,4 +1,4 @@
-// Headers that nearly every test needs, compiled only once.
+// Includes the headers that nearly every test needs, so that they are compiled only once.
 #pragma once
 
 #include <fmt/format.h>

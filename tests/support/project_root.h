@@ -1,5 +1,5 @@
-// The folders of the project and of its build. No other test source contains these folders, so all others compile to
-// the same objects in any folder.
+// Names the folders of the project and of its build. No other test source contains these folders, so all others compile
+// to the same objects in any folder.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace handrail::test {
 
-// Return absolute paths. The build is the one to which these tests belong.
+// Return absolute paths. The build is the build to which these tests belong.
 const std::filesystem::path& project_root();
 const std::filesystem::path& build_root();
 

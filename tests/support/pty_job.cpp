@@ -34,7 +34,8 @@ void tell(int reports, Report report) { [[maybe_unused]] const ssize_t put = ::w
 pid_t lead_job = -1;
 int lead_terminal = -1;
 
-// Does what a shell does, in the session leader's process. Never returns.
+// Starts the job in the foreground of the terminal and reports when it stops or ends, as a shell does. Runs in the
+// session leader's process and never returns.
 [[noreturn]] void lead(int slave, int reports, const std::function<void()>& run) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     ::setsid();

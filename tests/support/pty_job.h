@@ -1,6 +1,6 @@
-// A program in its own terminal, started as a shell starts a job in the foreground. A separate session leader stays
-// when the job has ended. So the kernel does not restore the terminal's modes, and the test can see the state in which
-// the job left them. in_foreground() continues a stopped job, as `fg` does.
+// Runs a program in its own terminal, as a shell runs a job in the foreground. A separate session leader stays when the
+// job has ended. So the kernel does not restore the terminal's modes, and the test can see the state in which the job
+// left them. in_foreground() continues a stopped job, as `fg` does.
 #pragma once
 
 #include <sys/types.h>
@@ -24,17 +24,17 @@ public:
     PtyJob& operator=(const PtyJob&) = delete;
 
     const termios& before() const { return before_; }  // the terminal's modes when the job received it
-    termios modes() const;                             // the terminal's present modes
-    bool as_before() const;                            // true if every flag and character is as in before()
+    termios modes() const;                             // returns the terminal's present modes
+    bool as_before() const;                            // returns true if every flag and character is as in before()
     bool gives_keys() const { return (modes().c_lflag & (ICANON | ECHO)) == 0; }
 
     void type(const std::string& bytes) const;  // sends bytes as a keyboard does
     // Returns true as soon as the job has written `text` after the position `from`. Returns false after `most_s`, or
     // when the job ends.
     bool says(const std::string& text, std::size_t from = 0, double most_s = kPatience_s);
-    const std::string& said();  // all output of the job until now
+    const std::string& said();  // returns all output of the job until now
 
-    int waiting_bytes() const;  // number of bytes that were typed but that no program has read
+    int waiting_bytes() const;  // returns how many bytes were typed that no program has read yet
 
     void send(int signal) const;
     void in_foreground() const;
@@ -55,8 +55,8 @@ private:
     int stopped_ = 0, ended_ = -1;
 };
 
-// Expects that this signal has ended a program. A sanitizer that catches crashes prints its report and exits with its
-// own status; that status is accepted too.
+// Checks that the signal `signal` has ended a program. A sanitizer that catches crashes prints its report and exits
+// with its own status; that status is accepted too.
 void expect_ended_by(int signal, int status);
 
 }  // namespace handrail::test

@@ -33,7 +33,8 @@ private:
 
 constexpr double kSlab_m = 0.1;  // half the width of planes and slabs
 
-// Draws a radius for the proxy: one that can feel edges, or sometimes nearly a point.
+// Draws a radius for the proxy. Usually a proxy of this radius can feel edges; sometimes the radius is that of nearly a
+// point.
 double some_radius(Draw& draw) { return draw.count(0, 4) == 0 ? 1e-5 : draw.between(0.002, 0.006); }
 
 // Draws a path of a hand that comes from the air, presses across a horizontal surface at z = 0 and returns to the air.

@@ -1,5 +1,5 @@
-// The families of hard cases, with all their parameters drawn from a seed: angles, sizes, gaps, offsets, proxy radius
-// and hand path. With them, tests check that nothing is tuned to the listed cases alone.
+// Draws cases of the families of hard cases, with all their parameters drawn from a seed: angles, sizes, gaps, offsets,
+// proxy radius and hand path. With these cases, tests check that nothing is tuned to the listed cases alone.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ inline constexpr std::size_t kRandomFamilies = 12;
 // Returns a case of a family. The same seed gives the same case on every machine.
 TouchCase random_case(std::size_t family, std::uint32_t seed);
 
-// Returns the seed of this run. It is HANDRAIL_SEED if that is set, otherwise a number drawn once per process. Tests
-// print it.
+// Returns the seed of this run: HANDRAIL_SEED if that variable is set, otherwise a number drawn once per process. Tests
+// print the seed.
 std::uint32_t seed_of_run();
 
 }  // namespace handrail::test

@@ -1,8 +1,8 @@
-// Computes where a proxy ends if the hand pulls it continuously. It is the reference for the renderer's proxy. It uses
-// projected gradient flow of |proxy - goal|, in steps of at most 20 micrometres and in long double. Brute force judges
-// all obstacles at every step, without hierarchy, cache, warm start or look-ahead. It is slow on purpose: about 10
-// microseconds for each step and triangle. Sources: the flow is the ideal of the god-object (Zilles & Salisbury 1995)
-// with a radius (Ruspini et al. 1997).
+// Computes where a proxy ends if the hand pulls it continuously. The result is the reference for the renderer's proxy.
+// ReferenceProxy uses projected gradient flow of |proxy - goal|, in steps of at most 20 micrometres and in long double.
+// Brute force judges all obstacles at every step, without hierarchy, cache, warm start or look-ahead. It is slow on
+// purpose: about 10 microseconds for each step and triangle. Sources: the flow is the ideal of the god-object (Zilles &
+// Salisbury 1995) with a radius (Ruspini et al. 1997).
 #pragma once
 
 #include <vector>
@@ -23,11 +23,9 @@ public:
     // Places the proxy elsewhere, in order to compare a single tick.
     void place(const Vec3& ball_m) { ball_ = LVec(ball_m); }
     long steps() const { return steps_; }
-    double work() const {
-        return work_;
-        // Returns the approximate number of comparisons in all steps. A solid is judged by trying every three of its
-        // planes.
-    }
+    // Returns the approximate number of comparisons in all steps. A solid is judged by trying every three of its
+    // planes.
+    double work() const { return work_; }
 
 private:
     void look_around();

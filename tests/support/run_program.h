@@ -1,5 +1,5 @@
-// Starts one of our programs as a person's shell would. The program has its own home folder, no display and no screen
-// reader, and its spoken text goes to standard output.
+// Starts one of Handrail's programs as a person's shell would. The program has its own home folder, no display and no
+// screen reader, and its spoken text goes to standard output.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// A factor for the length of long random walks, so that instrumented builds also finish in time.
+// Defines a factor for the length of long random walks, so that instrumented builds also finish in time.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@ inline constexpr double kSanitizerScale = 0.1;
 inline constexpr double kSanitizerScale = 1.0;
 #endif
 
-// The thread sanitizer needs to see each combination of threads only once. A test that starts the same threads as a
-// shorter test is therefore skipped in that build.
+// True in the build with the thread sanitizer, which needs to see each combination of threads only once. A test that
+// starts the same threads as a shorter test is therefore skipped in that build.
 #if defined(HANDRAIL_SANITIZED_THREAD)
 inline constexpr bool kThreadSanitizer = true;
 #else

@@ -1,4 +1,4 @@
-// A hand, a wall and a servo in virtual time, for tests of the servo without a device.
+// Simulates a hand, a wall and a servo in virtual time, for tests of the servo without a device.
 #pragma once
 
 #include <memory>

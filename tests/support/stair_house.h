@@ -1,5 +1,5 @@
-// A hall and a gallery, joined by stairs of a given form that the building states. For tests of walkers who climb these
-// stairs.
+// Makes a hall and a gallery, joined by stairs of a given form that the building states. For tests of walkers who climb
+// these stairs.
 #pragma once
 
 #include <cmath>
@@ -15,8 +15,8 @@
 namespace handrail::test {
 
 enum class StairForm {
-    // A straight flight, a metre wide, between walls. The floor above ends over its third step, as in the forms that
-    // follow.
+    // A straight flight, a metre wide, between walls. The floor above ends over the third step of the flight. Most of
+    // the other forms have such a floor, too.
     Straight,
     Steep,    // risers of 35 cm, as some programs export them; without a floor above
     Landing,  // two flights next to each other

@@ -1,4 +1,4 @@
-// A folder for one test. It is removed with all its contents when the test ends.
+// Makes a folder for one test. The folder is removed with all its contents when the test ends.
 #pragma once
 
 #include <stdlib.h>

@@ -1,5 +1,6 @@
-// Small worlds that are hard to touch, with a path of the hand through each. All parts of the touch renderer are judged
-// by these cases. The renderer and the brute-force judge get the same world, which tests may rotate and shift.
+// Defines small worlds that are hard to touch, with a path of the hand through each. All parts of the touch renderer
+// are judged by these cases. The renderer and the brute-force judge get the same world, which tests may rotate and
+// shift.
 #pragma once
 
 #include <functional>

@@ -14,8 +14,8 @@ namespace handrail::test {
 
 namespace {
 
-// Starts a server for that display and waits until it accepts connections. Returns its process, or -1 if it cannot
-// start, for instance because another server has that number.
+// Starts a server for the display `display` and waits until it accepts connections. Returns the server's process, or -1
+// if it cannot start, for instance because another server has that number.
 pid_t serve(const std::string& display) {
     int ready[2];
     if (::pipe(ready) != 0) return -1;

@@ -21,7 +21,7 @@ public:
 
     // Runs "xdotool WORDS". Returns false if it fails or takes longer than 5 min.
     bool xdotool(const std::string& words) const { return run("xdotool " + words); }
-    // Runs a shell command in the same way.
+    // Runs a shell command. Returns false if it fails or takes longer than 5 min.
     bool run(const std::string& line) const;
     // Ends the server, as logging out does.
     void kill();

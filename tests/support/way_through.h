@@ -33,8 +33,8 @@ struct DoorToPass {
     Vec3 way{0.0};                         // horizontal direction through the door
 };
 
-// Returns the doors that the file states as passable and that have a leaf in a wall. Doors that lead to no room are
-// included only if the file states no others.
+// Returns the doors that the world file states as passable and that have a leaf with a vertical face. Doors that lead
+// to no room are included only if the file states no rooms.
 inline std::vector<DoorToPass> doors_to_pass(const Scene& scene) {
     std::vector<DoorToPass> doors;
     if (!scene.stated) return doors;

@@ -23,7 +23,7 @@ public:
     WaylandSession(const WaylandSession&) = delete;
     WaylandSession& operator=(const WaylandSession&) = delete;
 
-    // Like VirtualDisplay::xdotool(); the keys go to the window that has the keyboard focus in the session.
+    // Does the same as VirtualDisplay::xdotool(). The keys go to the window that has the keyboard focus in the session.
     bool xdotool(const std::string& words) const { return display_->xdotool(words); }
     // Give the keyboard focus to the session or take it away, as when a person switches to another program.
     bool give_keyboard() const;

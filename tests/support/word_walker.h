@@ -1,7 +1,7 @@
-// A simulated walker who only hears spoken text. It requests the route to a room by its name and obeys each leg. It
-// opens doors when directed to, side-steps when a shoulder is named, and uses stairs and lifts by the named key. If no
-// direction comes, it repeats its request. It never uses the scene or the position of its feet; the test that judges it
-// does that afterwards. It runs an unchanged session in virtual time.
+// Simulates a walker who only hears spoken text. The walker requests the route to a room by its name and obeys each
+// leg. It opens doors when directed to, side-steps when a shoulder is named, and uses stairs and lifts by the named
+// key. If no direction comes, it repeats its request. It never uses the scene or the position of its feet; the test
+// that judges it does that afterwards. It runs an unchanged session in virtual time.
 #pragma once
 
 #include <algorithm>
@@ -22,14 +22,18 @@ namespace handrail::test {
 
 class WordWalker {
 public:
-    // How a walk ended: the session announced the arrival; it announced that there is no route; the walk did not end;
-    // the directions no longer moved the walker; or the walker did not understand them.
+    // How a walk ended:
+    // - Arrived: the session announced the arrival.
+    // - NoWay: the session announced that there is no route.
+    // - Loop: the walk did not end.
+    // - Stuck: the directions no longer moved the walker.
+    // - NotUnderstood: the walker did not understand the directions.
     enum class End { Arrived, NoWay, Loop, Stuck, NotUnderstood };
 
     explicit WordWalker(std::shared_ptr<const Scene> world) : form_(english_legs()), app_({}, {}, {}) {
         app_.apply(WorldEntered{make_ready(std::move(world))}, now_s_);
         run(0.1);
-        ask(Command::Exits);  // after this query, the session knows the rooms
+        ask(Command::Exits);  // after this query, the session knows the rooms of the world
         run(1.0);
     }
 
@@ -47,7 +51,7 @@ public:
             if (arrived()) return End::Arrived;
             const int before = moves();
             if (!obey(leg)) {
-                // If the leg could not be obeyed, the walker requests it once more, after a moment.
+                // If the walker could not obey the leg, it requests the leg once more, after a second.
                 run(1.0);
                 if (!arrived() && !obey(ask(Command::RepeatLeg)))
                     return give_up(heard("No walking route", 0) ? End::NoWay : End::NotUnderstood);
@@ -69,7 +73,7 @@ public:
     }
     // Returns where the walker stood when the arrival was announced. Without an arrival, returns its present position.
     Vec3 feet_m() const { return told_there_m_.value_or(app_.feet_m()); }
-    // Returns the number of flights of stairs and lifts that it used on its last walk.
+    // Returns the number of flights of stairs and lifts that the walker used on its last walk.
     int climbs() const { return climbs_; }
     void put(const Vec3& feet_m) {
         app_.apply(Placed{feet_m, 0.0}, now_s_);

@@ -1,5 +1,5 @@
-// Tests the whole chain from a driver to the world, at heading 0. Computes which position in the world belongs
-// to the position that the driver reports, and which force the driver gets when the world pushes the hand.
+// Tests the whole chain from a driver to the world, at heading 0. Computes which position in the world belongs to the
+// position that the driver reports, and which force the driver gets when the world pushes the hand.
 #pragma once
 
 #include "tests/support/names.h"
@@ -9,7 +9,7 @@ namespace handrail::test {
 
 struct ThroughWorld {
     Vec3 world_m{0.0};  // position of the hand in the world, relative to the middle of the workspace
-    // The command while a solid pushes the hand along the positive axis of the world, pressed 2 mm deep.
+    // The command to the driver while a solid pushes the hand along the positive axis of the world, pressed 2 mm deep.
     ForceCommand command;
 };
 

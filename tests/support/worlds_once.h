@@ -1,6 +1,6 @@
-// Worlds that no test modifies. A process reads each of them once, and finds its rooms once for all sessions of its
-// main thread (RoomsKept). A session test thus needs only a small part of its usual time. Each session has its own copy
-// of the rooms.
+// Provides worlds that no test modifies. A process reads each of them once, and finds its rooms once for all sessions
+// of its main thread (RoomsKept). A session test thus needs only a small part of its usual time. Each session has its
+// own copy of the rooms.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace handrail::test {
 
 inline RoomsKept rooms_of_this_process{3};
 
-// Returns the options of a session that uses these rooms.
+// Returns the options of a session that uses the rooms in RoomsKept.
 inline SessionOptions with_known_rooms(SessionOptions options = {}) {
     if (!options.rooms_kept) options.rooms_kept = &rooms_of_this_process;
     return options;

@@ -1,5 +1,5 @@
-// The hardest ticks: more obstacles are near the proxy than a millisecond has time for. Tests count the work and look
-// for crossings, and benchmarks measure the time, with the same scenes and hands.
+// Defines the hardest ticks, in which more obstacles are near the proxy than a millisecond has time for. Tests count
+// the work and look for crossings, and benchmarks measure the time, with the same scenes and hands.
 #pragma once
 
 #include <functional>
@@ -23,7 +23,7 @@ struct WorstCase {
 
 inline constexpr int kWorstCases = 10;
 inline constexpr double kBox_m = 0.1;  // length of the edges of each box in cases 7 and 8
-// Returns case `number`, below kWorstCases. Each call makes a new one, which is freed with the result. The same
+// Returns case `number`, below kWorstCases. Each call makes a new case, which is freed with the result. The same
 // `ticks` always give the same case.
 //   0 a soup of 100,000 triangles crossed at 5 m/s
 //   1 3,000 sheets in one place
@@ -32,7 +32,7 @@ inline constexpr double kBox_m = 0.1;  // length of the edges of each box in cas
 //   5 the same sphere at 1 m/s with a proxy of 5 mm
 //   6 one mesh body of 100,000 triangles that approaches the proxy, turns and leaves
 //   7 and 8: 500 and 2,000 boxes that all move, with the hand among them
-//   9 the soup with a proxy of 0.2 mm
+//   9 the soup of case 0 with a proxy of 0.2 mm
 WorstCase worst_case(int number, int ticks);
 
 }  // namespace handrail::test
