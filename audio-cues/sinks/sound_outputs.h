@@ -21,9 +21,9 @@ struct SoundOutputs {
 
 // Opens both sinks. The audio sink must outlive the speech sink.
 // - Text always goes to `text_fd`.
-// - The voice is the first available of a screen reader, speech-dispatcher and, with a sound device, the embedded
-//   voice or its beeps (see VoiceRouter). If there is none, there is only text, so that no line waits for a voice
-//   that nobody hears.
+// - The voice is the first available of a screen reader, speech-dispatcher and, with a sound device, the embedded voice
+//   or its beeps (see VoiceRouter). If there is none, there is only text, so that no line waits for a voice that nobody
+//   hears.
 // - reader: channel to the screen reader; null: there is no window to read.
 // - braille: link to the braille display; null: there is no window.
 // The sinks' news() reports what is missing.

@@ -20,9 +20,8 @@ public:
 // Passes each text to the best available voice.
 // - While a better voice is still connecting, the first text waits for it, but no longer than that voice's
 //   patience_s().
-// - If a voice is lost in the middle of an utterance, the next voice announces the change and repeats the utterance.
-//   If no
-//   voice is left, there is only text.
+// - If a voice is lost in the middle of an utterance, the next voice announces the change and repeats the utterance. If
+//   no voice is left, there is only text.
 // - The setting speech.through = X passes over the voices before X. If X is missing, the next one speaks.
 // For the screen reader see ReaderVoice.
 class VoiceRouter final : public cues::SpeechSink {

@@ -28,8 +28,8 @@ struct FlatMerge {
 // more. No point is farther than bound_m from the plane. Parts that are not manifold, or fold back on themselves, are
 // not merged.
 // - groups: one number per triangle.
-// - keep_curves: a patch that meets another triangle of its group at less than 30 degrees is a facet of a curve,
-//   which shading rounds. Its triangles are not merged.
+// - keep_curves: a patch that meets another triangle of its group at less than 30 degrees is a facet of a curve, which
+//   shading rounds. Its triangles are not merged.
 FlatMerge merge_flat(const TriangleMesh& mesh, std::span<const std::uint32_t> groups, double bound_m,
                      bool keep_curves = false);
 

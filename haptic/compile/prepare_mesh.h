@@ -82,8 +82,7 @@ struct PreparedMesh {
 // - corners_m: three for each triangle.
 // - surfaces: one number for each triangle. Only triangles of the same surface are merged, and no border between
 //   surfaces moves.
-// - stop: after a stop request from another thread, the function returns the mesh soon, with fewer surfaces
-//   simplified.
+// - stop: after a stop request from another thread, the function returns the mesh soon, with fewer surfaces simplified.
 // - begins: called before a surface is simplified, with the surface's number and its count of triangles.
 using SurfaceBegins = std::function<void(std::uint32_t surface, std::size_t triangles)>;
 PreparedMesh prepare_mesh(std::span<const Vec3> corners_m, std::span<const std::uint32_t> surfaces,

@@ -157,10 +157,8 @@ private:
     }
 
     // 3. Extends a solid through each wholly covered face into the solids that cover the face. The first attempt
-    //   extends it
-    //   by
-    //   its own radius plus the distance by which those neighbours are rounded off. If the neighbours do not cover that
-    //   extension, the second attempt uses the solid's own radius alone.
+    //    extends it by its own radius plus the distance by which those neighbours are rounded off. If the neighbours do
+    //    not cover that extension, the second attempt uses the solid's own radius alone.
     void extend(std::uint32_t i) {
         Part& part = parts_[i];
         if (!part.rounded()) return;
@@ -363,8 +361,7 @@ private:
     }
 
     // 5. Closes holes where the corners of several flush solids meet. Even if each seam is closed, a hole may remain
-    //   between
-    //   the solids, for example among four solids in a windmill pattern.
+    //    between the solids, for example among four solids in a windmill pattern.
     bool close_holes(std::uint32_t i) {
         const ConvexSolid& s = shape(i);
         std::vector<SolidFace> here;

@@ -37,8 +37,7 @@ void send_message(int life_fd, GuardMessage kind, const std::string& sentence);
 // Runs the guard for its whole life, on the calling thread. Returns the exit status.
 // - wake_fd: an eventfd that counts new commands.
 // - life_fd: the socket to the program.
-// - stuck: called from another thread if one exchange lasts longer than kStuckS. The function ends the process, or in
-//   a
+// - stuck: called from another thread if one exchange lasts longer than kStuckS. The function ends the process, or in a
 //   test notifies the test.
 int guard_hand(HandMailbox& mailbox, int wake_fd, int life_fd, const OpenDevice& open_device,
                const std::function<void()>& stuck);

@@ -26,8 +26,7 @@ public:
     // finite gives zero, has the effect of ForceFlow::Cut, and makes broken() true for this tick.
     // - wanted_n: force that the renderer requests, in any frame.
     // - ceiling_n: the smaller of the person's choice and the device's peak. Infinity means no limit; a negative
-    //   ceiling or
-    //   NaN is replaced by 0.
+    //   ceiling or NaN is replaced by 0.
     // - fade_s: duration of a fade from full gain, used only with ForceFlow::Fade.
     Vec3 limit(const Vec3& wanted_n, double ceiling_n, ForceFlow flow, double dt_s, double fade_s = kFadeS) noexcept;
 

@@ -288,8 +288,7 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     }
 
     // 2. Friction: Coulomb's cone applied to the proxy's path. Static friction weakens with the distance slid, so it
-    //   never
-    //   drops at once.
+    //    never drops at once.
     const double press_length = glm::length(press);
     if (contacts.count > 0) {
         feel = blend;

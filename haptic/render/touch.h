@@ -118,8 +118,7 @@ TouchResult touch_tick_with(TouchState& state, const HapticScene& scene, const T
 // - goal_m: the HIP (haptic interface point) in world metres, finite and within 1e6 m.
 // - dt_s: time since the last tick, > 0.
 // - scene: if its address or generation differs from last time, candidates are gathered again around the old proxy.
-// - carried_m: how far the walker carried the workspace since the last tick, in world metres. The proxy and liquids
-//   use
+// - carried_m: how far the walker carried the workspace since the last tick, in world metres. The proxy and liquids use
 //   the whole motion. Damping and the passivity guard use only the hand's own motion; otherwise every step of the
 //   walker would knock in the hand (test: walking_*).
 // - bodies: poses of the scene's bodies in this tick; if omitted, each body has its pose from the scene.

@@ -4,8 +4,8 @@
 // - pull, grooves: the whole servo_tick, while guidance pulls the hand or the hand is among 32 grooves
 // - touch: only touch_tick, as in the program
 // - plain: only touch_tick, compiled without any optional feature
-// - all: only touch_tick, compiled with all optional features, whether the scene uses them or not
-//   touch_walk [TICKS [servo|pull|grooves|touch|plain|all]]
+// - all: only touch_tick, compiled with all optional features, whether the scene uses them or not touch_walk [TICKS
+//   [servo|pull|grooves|touch|plain|all]]
 #include <fmt/format.h>
 
 #include <chrono>
