@@ -38,8 +38,7 @@ inline constexpr const char* kRelieveRole = "relieve";
 // - gives up core dumps and the right to gain privileges, and limits its own descriptors, file sizes and memory,
 // - locks its memory, asks the kernel to spare it when memory runs out, and requests real-time scheduling.
 // If the system refuses to lock the memory or to spare the process, the process records that in the mailbox, so that
-// the
-// program can report it. Then the process confines itself to what the device needs (worlds/confine).
+// the program can report it. Then the process confines itself to what the device needs (worlds/confine).
 int guard_process(int argc, char** argv, const NamedDevices& devices);
 
 }  // namespace handrail::drivers

@@ -6,8 +6,7 @@
 // Neither the wall nor the decay gives the hand energy. The wall is a spring of stretch e <= depth behind its plane. e
 // grows as the hand moves in, but by no more than 0.15 N a tick; the rest slips. e shrinks as the hand moves out. After
 // the wall has broken, e only shrinks: by 1/tau, and with every movement back. So the wall never returns more energy
-// than
-// it received.
+// than it received.
 //
 //    force    /|          breaks at depth
 //            / |__        falls with tau

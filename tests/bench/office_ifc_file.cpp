@@ -1,6 +1,5 @@
 // Writes an office building as an IFC file to standard output. The file is input for the reader, for measurements and
-// for
-// fuzzing:
+// for fuzzing:
 //   build/release/bin/office_ifc_file [storeys] [corridors] [rooms along each side] [facets in each room] > office.ifc
 #include <cstdio>
 #include <cstdlib>

@@ -1,8 +1,7 @@
 // Measures the cost of each method of rendering a surface. The proxy slides over a floor or over a tessellated sphere.
 // The floor is plain (with friction), without friction, with friction that weakens, damped, guarded, rounded at its
-// edges,
-// a sheet, a one-sided sheet, or textured. The sphere is faceted or shaded. Under callgrind, instructions.sh counts the
-// instructions of measured_ticks().
+// edges, a sheet, a one-sided sheet, or textured. The sphere is faceted or shaded. Under callgrind, instructions.sh
+// counts the instructions of measured_ticks().
 //   surface_touch TICKS
 //   plain|slippery|weakening|damped|guarded|rounded|sheet|one-sided|friction|sine|square|picture|facets|shaded
 #include <array>

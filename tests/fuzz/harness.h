@@ -1,6 +1,5 @@
 // Makes every parser of the program a function that takes bytes. The parsers are the rows of one table, which the
-// mutation test and
-// the endless fuzzer share. A new reader needs a row here and a folder tests/fuzz/inputs/NAME with:
+// mutation test and the endless fuzzer share. A new reader needs a row here and a folder tests/fuzz/inputs/NAME with:
 // - seeds/: small valid inputs
 // - words.dict: strings worth inserting, in libFuzzer's format
 // - regressions/: inputs that once failed, if there are any
