@@ -1,7 +1,7 @@
-// The loop of the audio thread. 200 times a second it reads the contact events of the hands and the app's requests, and
-// lets CuePlanner drive the sinks. It owns the planner and both sinks from start() to stop(). The app thread owns the
-// AudioThread object and calls the functions that are marked "App thread". step() contains the whole body of the loop,
-// so the owner can also step it in virtual time without a thread.
+// Runs the loop of the audio thread. 200 times a second it reads the contact events of the hands and the app's
+// requests, and lets CuePlanner drive the sinks. It owns the planner and both sinks from start() to stop(). The app
+// thread owns the AudioThread object and calls the functions that are marked "App thread". step() contains the whole
+// body of the loop, so the owner can also step it in virtual time without a thread.
 #pragma once
 
 #include <array>

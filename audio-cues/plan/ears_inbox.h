@@ -1,5 +1,5 @@
-// The inputs that the owner of a session passes to the audio thread. AudioThread handles them in its next step.
-// PlayedEars counts them in order to replay a recording. Call these functions from the app thread.
+// Declares the inputs that the owner of a session passes to the audio thread. AudioThread handles them in its next
+// step. PlayedEars counts them in order to replay a recording. Call these functions from the app thread.
 #pragma once
 
 #include <memory>

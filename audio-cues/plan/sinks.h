@@ -1,5 +1,5 @@
-// The two interfaces between the code that decides what is heard and the code that plays it. One thread, the audio
-// thread, owns both sinks.
+// Defines the two interfaces between the code that decides what is heard and the code that plays it. One thread, the
+// audio thread, owns both sinks.
 #pragma once
 
 #include <cstdint>

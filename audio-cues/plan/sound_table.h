@@ -1,5 +1,6 @@
-// One table of all sounds for the cue planner, scenarios and the spoken sound dictionary. For each sound it contains
-// the name, the volume and switch that apply, and the names of sounds in maps that stand for it. Pure data; any thread.
+// Contains one table of all sounds for the cue planner, scenarios and the spoken sound dictionary. For each sound it
+// contains the name, the volume and switch that apply, and the names of sounds in maps that stand for it. Pure data;
+// any thread.
 #pragma once
 
 #include <span>

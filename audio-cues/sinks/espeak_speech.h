@@ -1,7 +1,7 @@
-// The embedded voice: espeak-ng in synchronous mode, on the only thread of the process that may use this library. That
-// thread sends samples to a VoiceChannel in pieces, so a long text starts as soon as a short one. say(), stop() and
-// speaking() return at once. When an utterance is cut off, the callback ends the synthesis within a millisecond. The
-// library's asynchronous mode needs 200 ms for that.
+// Implements the embedded voice: espeak-ng in synchronous mode, on the only thread of the process that may use this
+// library. That thread sends samples to a VoiceChannel in pieces, so a long text starts as soon as a short one. say(),
+// stop() and speaking() return at once. When an utterance is cut off, the callback ends the synthesis within a
+// millisecond. The library's asynchronous mode needs 200 ms for that.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
-// One OpenAL device with its context: a sound card, or the loopback device, which renders samples on request. Audio
-// thread only, except for OpenALEnvironment.
+// Manages one OpenAL device with its context: a sound card, or the loopback device, which renders samples on request.
+// Audio thread only, except for OpenALEnvironment.
 #pragma once
 
 #include <AL/al.h>

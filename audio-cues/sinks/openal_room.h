@@ -1,5 +1,5 @@
-// The reverberation of the surrounding room, as an OpenAL effect to which sounds are sent. If OpenAL lacks the effects
-// extension, there is no reverberation and no cost. Audio thread only, with the context current.
+// Renders the reverberation of the surrounding room, as an OpenAL effect to which sounds are sent. If OpenAL lacks the
+// effects extension, there is no reverberation and no cost. Audio thread only, with the context current.
 #pragma once
 
 #include <AL/al.h>

@@ -1,6 +1,6 @@
-// State that a client shares with the thread that talks to the client's server, which may hang. Through it, the client
-// can wake the thread, tell it to end, or abandon it. Both sides hold it by shared_ptr, because a thread whose server
-// never answers outlives its owner.
+// Holds the state that a client shares with the thread that talks to the client's server, which may hang. Through it,
+// the client can wake the thread, tell it to end, or abandon it. Both sides hold it by shared_ptr, because a thread
+// whose server never answers outlives its owner.
 #pragma once
 
 #include <condition_variable>

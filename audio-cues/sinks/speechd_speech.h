@@ -1,7 +1,7 @@
-// The voice that the person has set up for their desktop: speech-dispatcher, with the voice, rate and pitch of the
-// person's own settings. The server plays the sound itself. libspeechd waits for the server's answers, and with a
-// faulty sound set-up it waits for ever. It is therefore called only on a separate thread, and tick() cuts a connection
-// that does not answer. All functions return at once.
+// Speaks with the voice that the person has set up for their desktop: speech-dispatcher, with the voice, rate and pitch
+// of the person's own settings. The server plays the sound itself. libspeechd waits for the server's answers, and with
+// a faulty sound set-up it waits for ever. It is therefore called only on a separate thread, and tick() cuts a
+// connection that does not answer. All functions return at once.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// The interface of a voice that may not be available yet, or no longer. VoiceRouter chooses among several voices. The
-// audio thread owns and calls it.
+// Defines the interface of a voice that may not be available yet, or no longer. VoiceRouter chooses among several
+// voices. The audio thread owns and calls it.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
-// Helpers shared by simplify_scene.cpp, which plans a simplification, and simplify_apply.cpp, which applies it: ranges
-// along a direction, boxes around a doorway, and the test for walls. No other file uses them.
+// Declares the helpers shared by simplify_scene.cpp, which plans a simplification, and simplify_apply.cpp, which
+// applies it: ranges along a direction, boxes around a doorway, and the test for walls. No other file uses them.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// Facts about device models, as a table with one row per model. Each row names its sources. Immutable; any thread.
+// Contains facts about device models, as a table with one row per model. Each row names its sources. Immutable; any
+// thread.
 #pragma once
 
 #include <span>

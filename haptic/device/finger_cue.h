@@ -1,5 +1,5 @@
-// A cue about the world for fingers on a game pad. The cue indicates a wall but cannot render one. FingerPlanner in
-// audio-cues/plan makes the cue, and the pads of haptic/drivers render it. Plain data.
+// Defines a cue about the world for fingers on a game pad. The cue indicates a wall but cannot render one.
+// FingerPlanner in audio-cues/plan makes the cue, and the pads of haptic/drivers render it. Plain data.
 #pragma once
 
 namespace handrail::device {

@@ -1,5 +1,5 @@
-// The mechanics of a hand on a force-feedback device. The hand is one mass with damping, a spring towards its target,
-// dry friction and end stops. The motor applies a commanded force after a delay. The simulated device and the
+// Simulates the mechanics of a hand on a force-feedback device. The hand is one mass with damping, a spring towards its
+// target, dry friction and end stops. The motor applies a commanded force after a delay. The simulated device and the
 // closed-loop simulation share this code, so that studies and scenarios use the same hand. Plain state, no thread of
 // its own; noexcept, no allocation. Metres, newtons, seconds, kilograms.
 #pragma once

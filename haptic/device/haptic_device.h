@@ -1,6 +1,6 @@
-// The interface to any device that a hand holds. Device frame: right-handed, x right, y forward (away from the person),
-// z up, metres from the middle of the workspace. Drivers convert their own axes into this frame. After open(), only the
-// servo thread uses it.
+// Defines the interface to any device that a hand holds. Device frame: right-handed, x right, y forward (away from the
+// person), z up, metres from the middle of the workspace. Drivers convert their own axes into this frame. After open(),
+// only the servo thread uses it.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A simulated force-feedback device, with the hand that holds it. Handrail uses it without hardware: in scenarios, in
+// Simulates a force-feedback device, with the hand that holds it. Handrail uses it without hardware: in scenarios, in
 // tests, and for mouse and keys. It is deterministic: the same commands at the same times give bit-identical samples.
 // Push and Rest use the hand of the closed-loop studies behind the stiffness rule. That hand has 0.3 kg and 3 Ns/m, on
 // a device of 0.1 kg with its DeviceSpec's damping and 0.05 N of dry friction. Follow is a hand that knows its

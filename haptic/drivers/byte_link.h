@@ -1,5 +1,5 @@
-// The interface to a device that exchanges bytes in small packets and obeys a few numbered requests. Drivers use
-// ByteLink for USB devices; an emulator can implement it, too. One thread at a time. Private to haptic/drivers.
+// Defines the interface to a device that exchanges bytes in small packets and obeys a few numbered requests. Drivers
+// use ByteLink for USB devices; an emulator can implement it, too. One thread at a time. Private to haptic/drivers.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The interface to a device used in addition to the haptic one. Its sticks, buttons or puck are for walking and
+// Defines the interface to a device used in addition to the haptic one. Its sticks, buttons or puck are for walking and
 // turning; its coils or triggers give cues to the fingers. A Companion never pushes the hand, so it needs neither the
 // guard nor the servo. One separate thread owns it. No function waits; a reading or a cue takes one or two system
 // calls.

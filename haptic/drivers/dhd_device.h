@@ -1,8 +1,8 @@
-// The driver of Force Dimension's omega, sigma, lambda and delta. It uses their maker's library libdhd, which is loaded
-// if it is installed. The library limits the rate itself and may block, so the driver runs in the guard process. If the
-// guard dies, the library's exit code and the device's own watchdog stop the force. One thread owns the driver. Source:
-// the public description of the DHD interface, SDK 3.17. Library axes: x towards the person, y right, z up; metres,
-// newtons.
+// Drives Force Dimension's omega, sigma, lambda and delta. The driver uses their maker's library libdhd, which is
+// loaded if it is installed. The library limits the rate itself and may block, so the driver runs in the guard process.
+// If the guard dies, the library's exit code and the device's own watchdog stop the force. One thread owns the driver.
+// Source: the public description of the DHD interface, SDK 3.17. Library axes: x towards the person, y right, z up;
+// metres, newtons.
 #pragma once
 
 #include <memory>

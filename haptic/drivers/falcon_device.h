@@ -1,4 +1,4 @@
-// The driver of the Novint Falcon. It sends the Falcon its firmware, waits until the legs are homed, and exchanges one
+// Drives the Novint Falcon. The driver sends the Falcon its firmware, waits until the legs are homed, and exchanges one
 // force against one position at a time. All calls come from one thread. read() waits for the answer to the force that
 // write() sent, at most kAnswerDeadlineS, and its USB calls allocate. With a real Falcon the driver therefore belongs
 // in the guard process (hand_guard.h), never on the servo thread. It gives no force before all three legs are homed,

@@ -1,8 +1,9 @@
-// Geometry of the Novint Falcon, in which three legs with one driven thigh each carry a grip that never turns. Pure
-// functions, any thread. Falcon axes: x right, y up, z out of the device towards the person; metres from the middle of
-// its base. Legs and their angles, encoders and motors are numbered 0 to 2 and stored as Vec3 or array. Each function
-// takes about 0.5 us. Sources: leg measures after R. E. Stamper, A three degree of freedom parallel manipulator with
-// only translational degrees of freedom, thesis, 1997; the equations here are derived from the closure of each leg.
+// Computes the geometry of the Novint Falcon, in which three legs with one driven thigh each carry a grip that never
+// turns. Pure functions, any thread. Falcon axes: x right, y up, z out of the device towards the person; metres from
+// the middle of its base. Legs and their angles, encoders and motors are numbered 0 to 2 and stored as Vec3 or array.
+// Each function takes about 0.5 us. Sources: leg measures after R. E. Stamper, A three degree of freedom parallel
+// manipulator with only translational degrees of freedom, thesis, 1997; the equations here are derived from the closure
+// of each leg.
 #pragma once
 
 #include <array>

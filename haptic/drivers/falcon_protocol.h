@@ -1,7 +1,7 @@
-// The wire protocol of the Novint Falcon: frames of 16 bytes in each direction, and the boot image that its processor
-// needs after power-on. Pure functions and values, any thread; nothing allocates except the sentences about a rejected
-// image. Source: what the open driver libnifalcon and its users published about the protocol. The image is TI's 8-bit
-// boot table for the C28x.
+// Implements the wire protocol of the Novint Falcon: frames of 16 bytes in each direction, and the boot image that its
+// processor needs after power-on. Pure functions and values, any thread; nothing allocates except the sentences about a
+// rejected image. Source: what the open driver libnifalcon and its users published about the protocol. The image is
+// TI's 8-bit boot table for the C28x.
 #pragma once
 
 #include <array>

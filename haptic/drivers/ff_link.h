@@ -1,5 +1,5 @@
-// The interface to a device with Linux force feedback. Drivers use FfLink for evdev nodes; an emulator can implement
-// it, too. One thread at a time; each call makes a system call and does not wait. Private to haptic/drivers.
+// Defines the interface to a device with Linux force feedback. Drivers use FfLink for evdev nodes; an emulator can
+// implement it, too. One thread at a time; each call makes a system call and does not wait. Private to haptic/drivers.
 #pragma once
 
 #include <cstdint>

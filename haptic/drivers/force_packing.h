@@ -1,4 +1,4 @@
-// The last check in every driver. It ensures that a driver never sends its device a force that is not finite or exceeds
+// Makes the last check in every driver, so that a driver never sends its device a force that is not finite or exceeds
 // the device's peak. Pure functions; real-time safe.
 #pragma once
 

@@ -1,7 +1,7 @@
-// The driver that uses a force-feedback joystick as a haptic device. The hand moves in a plane: right and forward, but
-// not up. Each tick sends a new constant force, and the kernel reports the position. Walls are therefore softer, and
-// respond later, than on a device built for haptics. Runs in the guard process; one thread owns it. Source: the
-// kernel's force feedback interface, which is based on USB PID 1.0.
+// Drives a force-feedback joystick as a haptic device. The hand moves in a plane: right and forward, but not up. Each
+// tick sends a new constant force, and the kernel reports the position. Walls are therefore softer, and respond later,
+// than on a device built for haptics. Runs in the guard process; one thread owns it. Source: the kernel's force
+// feedback interface, which is based on USB PID 1.0.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
-// The common part of the two guard processes: their command line, the mailbox that they map, and their protection from
-// the rest of the machine.
+// Implements the common part of the two guard processes: their command line, the mailbox that they map, and their
+// protection from the rest of the machine.
 //   handrail-guard hold    MAILBOX_FD LIFE_FD WAKE_FD  LANGUAGE FOLDER NAME [SERIAL]
 //   handrail-guard relieve MAILBOX_FD LIFE_FD GUARD_FD LANGUAGE FOLDER NAME [SERIAL]
 // The guards write their sentences in LANGUAGE. FOLDER may contain texts of that language (see worlds/base/language.h).

@@ -1,9 +1,9 @@
-// The servo's view of a real device. The guard process holds the device, and GuardedDevice controls the guard. Each
-// call of read() or write() copies a value in shared memory and makes at most one system call that does not wait, about
-// 1 us. The servo thread thus never waits, whatever a driver does. The hand feels a force one exchange after write(),
-// as DeviceSpec::delay_s says. App thread: construction, open(), take_news(), destruction. While the device is open, a
-// separate thread checks both guards every 10 ms, even if the app hangs. That thread replaces a second guard that died
-// or froze, and kills a first guard that froze.
+// Implements the servo's view of a real device. The guard process holds the device, and GuardedDevice controls the
+// guard. Each call of read() or write() copies a value in shared memory and makes at most one system call that does not
+// wait, about 1 us. The servo thread thus never waits, whatever a driver does. The hand feels a force one exchange
+// after write(), as DeviceSpec::delay_s says. App thread: construction, open(), take_news(), destruction. While the
+// device is open, a separate thread checks both guards every 10 ms, even if the app hangs. That thread replaces a
+// second guard that died or froze, and kills a first guard that froze.
 #pragma once
 
 #include <sys/types.h>

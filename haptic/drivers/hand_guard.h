@@ -1,7 +1,7 @@
-// The guard process, a small process separate from the program. No other process holds a real device, except the second
-// guard in an emergency. In each round the guard sends the newest force and reads a new sample. When the program dies,
-// freezes or ends, the guard is still there to send zero. A maker's library may allocate, lock, block or crash in the
-// guard, because the servo thread never waits for the guard.
+// Implements the guard process, a small process separate from the program. No other process holds a real device, except
+// the second guard in an emergency. In each round the guard sends the newest force and reads a new sample. When the
+// program dies, freezes or ends, the guard is still there to send zero. A maker's library may allocate, lock, block or
+// crash in the guard, because the servo thread never waits for the guard.
 //
 // The guard sets the force to zero if no new command comes for kZeroAfterS, because the program has frozen or its servo
 // hangs. It also does so if the program's end of the socket closes, which happens however the program ended, even by

@@ -1,5 +1,5 @@
-// The memory that the program and its two guard processes share. It contains the newest force for the device, the
-// newest sample from the device, and the state of each guard. No process waits for another or takes a lock. Each
+// Lays out the memory that the program and its two guard processes share. It contains the newest force for the device,
+// the newest sample from the device, and the state of each guard. No process waits for another or takes a lock. Each
 // process validates the forces and samples that it reads and trusts nothing else. All three processes are built from
 // the same sources, but they compare kMailboxMark anyway.
 #pragma once

@@ -1,4 +1,4 @@
-// The driver of Haply's Inverse3. It uses the service that the maker installs: a WebSocket on this computer that
+// Drives Haply's Inverse3. The driver uses the service that the maker installs: a WebSocket on this computer that
 // answers each JSON message with exactly one state. A force message thus also requests the next position. The driver
 // runs in the guard process, because forces at 1 kHz are messages at 1 kHz, and answers may be damaged or late. When
 // the guard ends, the connection closes and the service must stop the force. One thread owns the driver. Source: the

@@ -1,4 +1,4 @@
-// The driver of 3D Systems' Touch and Phantoms. It uses their maker's library libHD (OpenHaptics HD interface), which
+// Drives 3D Systems' Touch and Phantoms. The driver uses their maker's library libHD (OpenHaptics HD interface), which
 // is loaded if it is installed. The library calls back on its own thread about 1000 times a second; the callback only
 // exchanges numbers. The driver runs in the guard process; the library switches the motors off when that process ends.
 // One thread owns the driver. Source: the public description of the HD interface, OpenHaptics 3. Library axes: x right,

@@ -1,5 +1,5 @@
-// The interface to a device that exchanges HID reports. Drivers use HidLink for hidapi; an emulator can implement it,
-// too. Byte 0 of each report is the report's number. One thread at a time. Private to haptic/drivers.
+// Defines the interface to a device that exchanges HID reports. Drivers use HidLink for hidapi; an emulator can
+// implement it, too. Byte 0 of each report is the report's number. One thread at a time. Private to haptic/drivers.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The driver of Sony's DualSense and DualShock 4. It reads their sticks, triggers and buttons, and gives cues to the
+// Drives Sony's DualSense and DualShock 4. The driver reads their sticks, triggers and buttons, and gives cues to the
 // fingers by two voice coils and, on the DualSense, by two triggers that resist. It renders no walls; a cue only
 // indicates a wall. The pad is connected by USB, or by Bluetooth, where each report carries a checksum. Any one thread.
 // The pad is read at most 250 times a second and written at most 125 times; read() and write() cost a system call each.

@@ -1,10 +1,10 @@
-// The second guard, a process that is started together with the first guard. It acts only if the first guard dies or
-// freezes while it holds a device. Then it opens the device, sends zero and closes the device. It watches independently
-// of the program, so it also acts when the program is frozen, busy or gone. If the first guard dies, its process
-// descriptor reports that at once. The first guard has frozen if its count of rounds in the mailbox does not change for
-// kStillLooks checks of kLookMs each, 100 ms in all. Checks are counted instead of time, so that a machine that starves
-// all processes, or wakes from sleep, raises no false alarm. A frozen first guard is killed before the second guard
-// opens the device, because two processes must never hold it.
+// Implements the second guard, a process that is started together with the first guard. It acts only if the first guard
+// dies or freezes while it holds a device. Then it opens the device, sends zero and closes the device. It watches
+// independently of the program, so it also acts when the program is frozen, busy or gone. If the first guard dies, its
+// process descriptor reports that at once. The first guard has frozen if its count of rounds in the mailbox does not
+// change for kStillLooks checks of kLookMs each, 100 ms in all. Checks are counted instead of time, so that a machine
+// that starves all processes, or wakes from sleep, raises no false alarm. A frozen first guard is killed before the
+// second guard opens the device, because two processes must never hold it.
 //
 // The program watches the second guard in the same way, by relief_beats, and replaces it (guarded_device.h). The second
 // guard's beats continue even while a driver takes long to zero the force, so only a frozen process is replaced.

@@ -1,4 +1,4 @@
-// The driver of 3Dconnexion's SpaceMouse, a puck that the hand pushes and twists but that hardly moves. The puck is for
+// Drives 3Dconnexion's SpaceMouse, a puck that the hand pushes and twists but that hardly moves. The puck is for
 // walking and turning and gives no force. Any one thread. Source: its HID descriptor, and descriptions of the reports
 // in open drivers.
 #pragma once

@@ -1,6 +1,6 @@
-// The interface to the engine that moves the free bodies of one world. The session and the servos of the hands send it
-// requests and receive its messages. The implementation is Dynamics in its own loop (DynamicsLoop), or a recording
-// (PlayedEngine).
+// Defines the interface to the engine that moves the free bodies of one world. The session and the servos of the hands
+// send it requests and receive its messages. The implementation is Dynamics in its own loop (DynamicsLoop), or a
+// recording (PlayedEngine).
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The authoritative state of all free bodies of a world, computed by Bullet 3.24 in double precision, 240 steps a
+// Holds the authoritative state of all free bodies of a world, computed by Bullet 3.24 in double precision, 240 steps a
 // second. Dynamics has one owner, and no thread or clock of its own. All steps have the same length, so the same calls
 // give bit-identical results, also after restart(). World metres. A world without free bodies has no Dynamics. The cost
 // of a step for different numbers of bodies is in docs/results.md; at most kMostAwake bodies move at once. Sources:

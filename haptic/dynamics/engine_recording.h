@@ -1,6 +1,6 @@
-// The recording's row for each step of the engine. A row says how much input of the app and of both hands had arrived
-// by then, and which results other threads could see. With it, the step can be computed again. The engine only adds
-// rows to the ring, and the recorder removes them.
+// Defines the recording's row for each step of the engine. A row says how much input of the app and of both hands had
+// arrived by then, and which results other threads could see. With it, the step can be computed again. The engine only
+// adds rows to the ring, and the recorder removes them.
 #pragma once
 
 #include <array>

@@ -1,8 +1,8 @@
-// The bodies that can be pushed, lifted and dropped, and the objects that they can hit: the building as convex parts,
-// the driven things (doors, lifts), and the free bodies themselves. compile_dynamics() makes it from a Scene; other
-// code uses DynamicsSceneBuilder. A DynamicsScene never changes after it was built. The engine (haptic/dynamics) and
-// the servo (haptic/servo) read it. A world without free bodies has none. Coordinates are local to origin_m unless a
-// comment says `world`.
+// Contains the bodies that can be pushed, lifted and dropped, and the objects that they can hit: the building as convex
+// parts, the driven things (doors, lifts), and the free bodies themselves. compile_dynamics() makes it from a Scene;
+// other code uses DynamicsSceneBuilder. A DynamicsScene never changes after it was built. The engine (haptic/dynamics)
+// and the servo (haptic/servo) read it. A world without free bodies has none. Coordinates are local to origin_m unless
+// a comment says `world`.
 #pragma once
 
 #include <array>

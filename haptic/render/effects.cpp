@@ -1,5 +1,5 @@
-// The laws of the effects, written in hand metres. Each is either a potential U with its slope, or an inner point p
-// with F = K (p - x) that moves only along F.
+// Contains the laws of the effects, written in hand metres. Each is either a potential U with its slope, or an inner
+// point p with F = K (p - x) that moves only along F.
 #include "haptic/render/effects.h"
 
 #include <cmath>

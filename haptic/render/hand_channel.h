@@ -1,5 +1,5 @@
-// The channel between the engine of the free bodies and the servo of one hand. Each member has one producer and one
-// consumer, and neither of them waits, allocates or fails. Both own the channel, so either may end first.
+// Defines the channel between the engine of the free bodies and the servo of one hand. Each member has one producer and
+// one consumer, and neither of them waits, allocates or fails. Both own the channel, so either may end first.
 #pragma once
 
 #include "haptic/render/rigid_body_state.h"

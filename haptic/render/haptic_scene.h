@@ -1,7 +1,7 @@
-// The haptic view of a building: only what a hand can touch. A HapticScene is immutable once built, so the servo thread
-// reads it without locks. World metres in double precision, stored relative to origin_m so that buildings far from the
-// world's origin lose no precision. Features are identified by FeatureId; query Scene on the app thread for their
-// names. compile_haptic() in haptic/compile builds the scene through HapticSceneBuilder.
+// Defines the haptic view of a building: only what a hand can touch. A HapticScene is immutable once built, so the
+// servo thread reads it without locks. World metres in double precision, stored relative to origin_m so that buildings
+// far from the world's origin lose no precision. Features are identified by FeatureId; query Scene on the app thread
+// for their names. compile_haptic() in haptic/compile builds the scene through HapticSceneBuilder.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
-// Force shading of tessellated curves as a height field, so that it conserves energy. Each facet gets a height above
-// its plane, computed from the normals at its corners, which approximates the original curve. Edge ij rises in its
-// middle by the sagitta s = 1/8 (n_j - n_i).(p_j - p_i). A facet rises by 4 s l_i l_j summed over its edges (l:
+// Computes force shading of tessellated curves as a height field, so that it conserves energy. Each facet gets a height
+// above its plane, computed from the normals at its corners, which approximates the original curve. Edge ij rises in
+// its middle by the sagitta s = 1/8 (n_j - n_i).(p_j - p_i). A facet rises by 4 s l_i l_j summed over its edges (l:
 // barycentric). Neighbouring facets have the same rise along their common edge.
 //
 // The potential is 1/2 K (press + rise)^2. The force is the potential's gradient and turns with the curve instead of

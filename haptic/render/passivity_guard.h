@@ -1,4 +1,4 @@
-// Time-domain passivity control (Hannaford & Ryu, Time-domain passivity control of haptic interfaces, 2002).
+// Implements time-domain passivity control (Hannaford & Ryu, Time-domain passivity control of haptic interfaces, 2002).
 // PassivityGuard measures the energy that the held force gives to the hand during a touch, from the measured positions
 // and the force that the motor really gave. It adds damping if the hand gets more energy than it gave. The filter pole,
 // the allowance and the bound on the surface's own damping prevent force steps, which the published form does not. That

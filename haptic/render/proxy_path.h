@@ -1,5 +1,5 @@
-// The path of one move of the proxy, and the rest of that move's work budget. Plain values. ProxySolver owns them; the
-// same thread and rules apply.
+// Holds the path of one move of the proxy, and the rest of that move's work budget. Plain values. ProxySolver owns
+// them; the same thread and rules apply.
 #pragma once
 
 #include <array>

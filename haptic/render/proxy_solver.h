@@ -1,7 +1,7 @@
-// The free-cell proxy: a ball that stays outside a set of convex obstacles. Each candidate obstacle owns one cut, a
-// half-space that supports the obstacle. A cut of a still obstacle stays valid for ever, so the proxy may move freely
-// in the intersection of the cuts. No swept test is needed at any speed. Overlapping, doubled and cracked geometry
-// needs no special case, and the proxy may stop anywhere on its path.
+// Implements the free-cell proxy: a ball that stays outside a set of convex obstacles. Each candidate obstacle owns one
+// cut, a half-space that supports the obstacle. A cut of a still obstacle stays valid for ever, so the proxy may move
+// freely in the intersection of the cuts. No swept test is needed at any speed. Overlapping, doubled and cracked
+// geometry needs no special case, and the proxy may stop anywhere on its path.
 //
 // One move projects the goal on the intersection, renews the cuts that hold the proxy, and repeats both steps until
 // these cuts truly touch their obstacles. Candidates come from a cache. When the move refreshes the cache depends only

@@ -1,6 +1,6 @@
-// The moving bodies that the proxy follows, because they may soon reach the proxy. All other bodies stay farther than
-// far_m from far_from_m during their current movements. The solver finds a body that comes nearer when the body's next
-// movement begins, or when the proxy has moved on. Plain values of fixed size: they allocate only in their
+// Holds the moving bodies that the proxy follows, because they may soon reach the proxy. All other bodies stay farther
+// than far_m from far_from_m during their current movements. The solver finds a body that comes nearer when the body's
+// next movement begins, or when the proxy has moved on. Plain values of fixed size: they allocate only in their
 // constructors. ProxySolver owns them; the same thread and rules apply.
 #pragma once
 

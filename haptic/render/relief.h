@@ -1,7 +1,7 @@
-// Height and friction textures: small depths below a plain surface, felt as if the surface were really lower there. The
-// proxy stays on the plain surface, and the depth h reduces the press. This gives a potential 1/2 K (pen - h)^2 with
-// its gradient as force: K (pen - h) along the normal and K (pen - h) grad h along the surface. Without the second part
-// a texture would give the hand energy (test: property_surfaces).
+// Computes height and friction textures: small depths below a plain surface, felt as if the surface were really lower
+// there. The proxy stays on the plain surface, and the depth h reduces the press. This gives a potential 1/2 K (pen -
+// h)^2 with its gradient as force: K (pen - h) along the normal and K (pen - h) grad h along the surface. Without the
+// second part a texture would give the hand energy (test: property_surfaces).
 //
 // The depth h is a function of the hand's own position, projected straight onto flat faces and, by angle, onto round
 // ones. It thus has the same value at the hand as at the proxy's resting place, so its gradient needs no correction for

@@ -1,5 +1,5 @@
-// The messages between the engine of the free bodies and the servos of the hands: plain values, world metres and
-// newtons. LatestValue and SpscRing copy them between threads. All but DynamicsFrame have a fixed size. A frame has
+// Defines the messages between the engine of the free bodies and the servos of the hands: plain values, world metres
+// and newtons. LatestValue and SpscRing copy them between threads. All but DynamicsFrame have a fixed size. A frame has
 // room for the bodies of its world; the engine allocates it with the first frames, and no other code does.
 #pragma once
 

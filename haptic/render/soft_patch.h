@@ -1,6 +1,6 @@
-// Soft surfaces: a cushion that recovers, and clay that keeps a dent. A soft patch is a grid of cells over a flat face,
-// above a hard floor that the obstacle underneath provides. Under the proxy each cell is a spring, weighted by its
-// distance from the centre:
+// Computes soft surfaces: a cushion that recovers, and clay that keeps a dent. A soft patch is a grid of cells over a
+// flat face, above a hard floor that the obstacle underneath provides. Under the proxy each cell is a spring, weighted
+// by its distance from the centre:
 //
 //   normal force  F = K sum_i k_i (e - s_i)+      e: depth of the proxy's lowest point below the untouched face
 //   k_i = 3 D^2 / (pi R^2) g_i,  g_i = (1 - (d_i / R)^2)^2, d_i the distance from cell i to below the proxy,

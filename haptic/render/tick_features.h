@@ -1,4 +1,4 @@
-// The features that only some scenes have. Every scene may have the plain ones: still solids, two-sided sheets,
+// Lists the features that only some scenes have. Every scene may have the plain ones: still solids, two-sided sheets,
 // friction, damping, the passivity guard and the drag of liquids. Tick and solver are compiled twice from one source,
 // once without the features below and once with all of them. Each tick uses the version that the scene needs, so a
 // scene pays nothing for features that it lacks. In the code a stage says `Has::kBodies && ...`. Rare work, such as

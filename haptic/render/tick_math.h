@@ -1,5 +1,6 @@
-// The few mathematical functions that force laws need in a servo tick. They use only + - * / and the rounding of
-// std::floor, so that every machine and build gives bit-identical results. Pure, noexcept, a few nanoseconds each.
+// Implements the few mathematical functions that force laws need in a servo tick. They use only + - * / and the
+// rounding of std::floor, so that every machine and build gives bit-identical results. Pure, noexcept, a few
+// nanoseconds each.
 #pragma once
 
 #include <algorithm>

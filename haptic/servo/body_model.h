@@ -1,9 +1,9 @@
-// The servo's own model of one body that a hand touches or holds. In every tick BodyModel is moved by exactly the force
-// that the hand feels, by gravity, and by the contact planes that the engine sent last. Later messages of the engine
-// correct it. If the hand touched the delayed poses of the engine, it would gain unbounded energy; a model that moves
-// in the same tick gives none. Plain state; real-time safe; + - x / and square root only. Cost for different numbers of
-// contacts: docs/results.md. Sources: Stewart & Trinkle 1996 (contacts as impulses); Catto, Iterative dynamics with
-// temporal coherence, 2005 (sequential impulses, warm start).
+// Implements the servo's own model of one body that a hand touches or holds. In every tick BodyModel is moved by
+// exactly the force that the hand feels, by gravity, and by the contact planes that the engine sent last. Later
+// messages of the engine correct it. If the hand touched the delayed poses of the engine, it would gain unbounded
+// energy; a model that moves in the same tick gives none. Plain state; real-time safe; + - x / and square root only.
+// Cost for different numbers of contacts: docs/results.md. Sources: Stewart & Trinkle 1996 (contacts as impulses);
+// Catto, Iterative dynamics with temporal coherence, 2005 (sequential impulses, warm start).
 #pragma once
 
 #include <array>

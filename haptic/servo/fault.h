@@ -1,5 +1,5 @@
-// The faults of a live device, and the sentences that describe them. Each sentence says what happened and what the
-// person can do. Any thread except the servo thread, because composing a sentence allocates.
+// Lists the faults of a live device, and the sentences that describe them. Each sentence says what happened and what
+// the person can do. Any thread except the servo thread, because composing a sentence allocates.
 #pragma once
 
 #include <cstdint>

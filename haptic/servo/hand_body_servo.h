@@ -1,7 +1,7 @@
-// The data that the servo of one hand needs for the free bodies of one world: the hand's models of them, the hand's
-// channel to their engine, and the table of all moving poses. When the person enters a world with free bodies, the app
-// allocates a HandBodyServo. From then on the servo thread owns it; only one servo may use it at a time. A world
-// without free bodies has none.
+// Holds the data that the servo of one hand needs for the free bodies of one world: the hand's models of them, the
+// hand's channel to their engine, and the table of all moving poses. When the person enters a world with free bodies,
+// the app allocates a HandBodyServo. From then on the servo thread owns it; only one servo may use it at a time. A
+// world without free bodies has none.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
-// The recording's row for each servo tick: the sample as the servo saw it, the force, and the numbers of all inputs
-// from the app. With it, the tick can be computed again. The servo only adds rows to the ring, and the recorder removes
-// them. Without a ring, a tick has no cost for the recording.
+// Defines the recording's row for each servo tick: the sample as the servo saw it, the force, and the numbers of all
+// inputs from the app. With it, the tick can be computed again. The servo only adds rows to the ring, and the recorder
+// removes them. Without a ring, a tick has no cost for the recording.
 #pragma once
 
 #include <atomic>

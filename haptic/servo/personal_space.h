@@ -1,7 +1,7 @@
-// The wall between the world and the person's own desk. It stands across the device's workspace, on the side of the
-// person's body. If the person pulls hard enough, the wall lets the hand through to the desk. The same wall leads back.
-// This file contains only the wall and the decay of the wall's force after it breaks. Meanwhile, servo_tick() keeps the
-// hand's state in the world.
+// Implements the wall between the world and the person's own desk. It stands across the device's workspace, on the side
+// of the person's body. If the person pulls hard enough, the wall lets the hand through to the desk. The same wall
+// leads back. This file contains only the wall and the decay of the wall's force after it breaks. Meanwhile,
+// servo_tick() keeps the hand's state in the world.
 //
 // Neither the wall nor the decay gives the hand energy. The wall is a spring of stretch e <= depth behind its plane. e
 // grows as the hand moves in, but by no more than 0.15 N a tick; the rest slips. e shrinks as the hand moves out. After

@@ -1,5 +1,6 @@
-// The inputs that the owner of a session passes to a servo. ServoLoop processes them on its own thread, or when its
-// owner steps it. PlayedServo numbers them in order to replay a recording. Call these functions from the app thread.
+// Declares the inputs that the owner of a session passes to a servo. ServoLoop processes them on its own thread, or
+// when its owner steps it. PlayedServo numbers them in order to replay a recording. Call these functions from the app
+// thread.
 #pragma once
 
 #include <memory>

@@ -1,6 +1,6 @@
-// One millisecond of the hand: sample checks, workspace map, touch, faults, ForceLimiter. servo_tick() is a plain
-// function over plain state, which the servo thread, scenarios and tests all use. Never allocates, locks, throws, logs
-// or reads a clock.
+// Computes one millisecond of the hand: sample checks, workspace map, touch, faults, ForceLimiter. servo_tick() is a
+// plain function over plain state, which the servo thread, scenarios and tests all use. Never allocates, locks, throws,
+// logs or reads a clock.
 #pragma once
 
 #include <cstdint>

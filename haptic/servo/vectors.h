@@ -1,4 +1,4 @@
-// Vector and rotation helpers for the stages of a tick. Pure functions, any thread, no allocation.
+// Defines vector and rotation helpers for the stages of a tick. Pure functions, any thread, no allocation.
 #pragma once
 
 #include <cmath>

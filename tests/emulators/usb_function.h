@@ -1,6 +1,6 @@
-// A device as a USB bus sees it: descriptors, control requests and packets. The tests put such a device on two buses:
-// usbfs of umockdev (tests/umockdev), and the kernel's own bus through USB/IP (tests/kernel). Not thread-safe; the bus
-// locks a mutex around the device.
+// Models a device as a USB bus sees it: descriptors, control requests and packets. The tests put such a device on two
+// buses: usbfs of umockdev (tests/umockdev), and the kernel's own bus through USB/IP (tests/kernel). Not thread-safe;
+// the bus locks a mutex around the device.
 #pragma once
 
 #include <chrono>

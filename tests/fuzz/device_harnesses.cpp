@@ -1,5 +1,5 @@
-// Harnesses for data from devices and their services: frames, reports, messages, and the firmware image that starts a
-// Falcon.
+// Contains the harnesses for data from devices and their services: frames, reports, messages, and the firmware image
+// that starts a Falcon.
 #include <cmath>
 
 #include "haptic/drivers/falcon_protocol.h"

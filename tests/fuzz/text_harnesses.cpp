@@ -1,5 +1,5 @@
-// Harnesses for text that people and the program write: settings, side files of worlds, scenarios, languages and
-// recorded paths of a hand. The parsers read all of these from files, except the recorded paths.
+// Contains the harnesses for text that people and the program write: settings, side files of worlds, scenarios,
+// languages and recorded paths of a hand. The parsers read all of these from files, except the recorded paths.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

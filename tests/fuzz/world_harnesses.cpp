@@ -1,4 +1,4 @@
-// Harnesses for maps, meshes and pictures. Each must give a consistent Scene or an error.
+// Contains the harnesses for maps, meshes and pictures. Each must give a consistent Scene or an error.
 #include <zlib.h>
 
 #include <cstdio>

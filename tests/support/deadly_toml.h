@@ -1,5 +1,5 @@
-// TOML text on which toml++ 3.3 recurses without limit: 200,000 nested tables in one dotted name. The stack of the
-// process that parses it overflows.
+// Contains TOML text on which toml++ 3.3 recurses without limit: 200,000 nested tables in one dotted name. The stack of
+// the process that parses it overflows.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// A simulated logind (python3-dbusmock) on a separate system bus for the test.
+// Starts a simulated logind (python3-dbusmock) on a separate system bus for the test.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Part of test programs in which only some tests start threads. If any other test starts a thread, the program ends
+// Belongs to test programs in which only some tests start threads. If any other test starts a thread, the program ends
 // with a sentence. The thread sanitizer runs only the tests that handrail_test() in CMake calls THREADED, so this check
 // ensures that no test with threads is left out. The linker finds the function below first, so it replaces the C
 // library's own. The environment variable HANDRAIL_THREADED has the patterns of the tests that may start threads,

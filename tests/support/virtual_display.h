@@ -1,4 +1,4 @@
-// A separate X server for the test (Xvfb) with software OpenGL. Tests press keys through xdotool.
+// Starts a separate X server for the test (Xvfb) with software OpenGL. Tests press keys through xdotool.
 #pragma once
 
 #include <sys/types.h>

@@ -1,5 +1,5 @@
-// A separate Wayland session for the test: the compositor weston in a window of a virtual X display, on which xdotool
-// presses the keys. Without an X server, weston would have no keyboard.
+// Starts a separate Wayland session for the test: the compositor weston in a window of a virtual X display, on which
+// xdotool presses the keys. Without an X server, weston would have no keyboard.
 #pragma once
 
 #include <memory>

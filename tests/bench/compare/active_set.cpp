@@ -1,9 +1,9 @@
-// A god-object with an active set and exact time of impact. The planes of all obstacles that the proxy touches form a
-// quadratic programme. The programme's active set, at most three planes with non-negative multipliers, gives the next
-// sub-goal. The proxy is swept towards the sub-goal until it touches another obstacle, and the step repeats. Sources:
-// the god-object of Zilles and Salisbury (A constraint-based god-object method for haptic display, IROS 1995), the
-// finite ball of Ruspini et al. (1997), and the contact-set solution of Ortega, Redon and Coquillart (A six
-// degree-of-freedom god-object method, 2006), here for three degrees of freedom.
+// Implements a god-object with an active set and exact time of impact. The planes of all obstacles that the proxy
+// touches form a quadratic programme. The programme's active set, at most three planes with non-negative multipliers,
+// gives the next sub-goal. The proxy is swept towards the sub-goal until it touches another obstacle, and the step
+// repeats. Sources: the god-object of Zilles and Salisbury (A constraint-based god-object method for haptic display,
+// IROS 1995), the finite ball of Ruspini et al. (1997), and the contact-set solution of Ortega, Redon and Coquillart (A
+// six degree-of-freedom god-object method, 2006), here for three degrees of freedom.
 #include "tests/bench/compare/contestant.h"
 #include "tests/bench/compare/nearby.h"
 #include "tests/bench/compare/swept.h"

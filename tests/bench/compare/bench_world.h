@@ -1,6 +1,6 @@
-// A world on which renderers are compared. BenchWorld has a scene, a path of the hand through it, and the scene's
-// shapes as plain numbers. Renderers and judges that must not use the scene's own structures use the plain numbers.
-// Immutable after construction; any thread may use it.
+// Defines a world on which renderers are compared. BenchWorld has a scene, a path of the hand through it, and the
+// scene's shapes as plain numbers. Renderers and judges that must not use the scene's own structures use the plain
+// numbers. Immutable after construction; any thread may use it.
 #pragma once
 
 #include <cstdint>

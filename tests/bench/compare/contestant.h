@@ -1,4 +1,4 @@
-// A renderer in the comparison: three plain functions and a knob, which is a parameter that can be varied. Each
+// Defines a renderer in the comparison: three plain functions and a knob, which is a parameter that can be varied. Each
 // renderer manages its own state between ticks.
 #pragma once
 

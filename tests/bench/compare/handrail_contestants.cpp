@@ -1,4 +1,4 @@
-// Handrail's own renderer, with the program's settings and with other values of its knobs.
+// Makes contestants of Handrail's own renderer, with the program's settings and with other values of its knobs.
 #include "haptic/render/proxy_solver.h"
 #include "haptic/render/touch.h"
 #include "tests/bench/compare/contestant.h"

@@ -1,5 +1,4 @@
-// The program behind `./run bench --compare`. It compares speed and error of Handrail's renderer and others on the same
-// scenes.
+// Runs `./run bench --compare`, which compares speed and error of Handrail's renderer and others on the same scenes.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

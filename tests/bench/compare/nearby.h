@@ -1,6 +1,6 @@
-// The broad phase that all rival renderers share, so that none is at a disadvantage without one. Nearby gathers the
-// obstacles near a place from the scene's own hierarchy, nearest first. It keeps them until the place has moved by the
-// margin. As in Handrail's renderer, the margin shrinks where obstacles are dense.
+// Implements the broad phase that all rival renderers share, so that none is at a disadvantage without one. Nearby
+// gathers the obstacles near a place from the scene's own hierarchy, nearest first. It keeps them until the place has
+// moved by the margin. As in Handrail's renderer, the margin shrinks where obstacles are dense.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// A penalty method without memory. Each object pushes the hand out along its deepest contact with K times the depth,
-// and the forces of all objects are added. The program from which Handrail was developed used this method, and so have
-// many others since. Each solid is an object; triangles that share corners form one object.
+// Implements a penalty method without memory. Each object pushes the hand out along its deepest contact with K times
+// the depth, and the forces of all objects are added. The program from which Handrail was developed used this method,
+// and so have many others since. Each solid is an object; triangles that share corners form one object.
 #include <map>
 #include <numeric>
 #include <tuple>

@@ -1,8 +1,8 @@
-// Sequential constraint planes. The sphere moves towards the goal until its exact first contact, and the plane there is
-// added as an equality constraint. The sphere then slides along one plane, or along the line where two planes meet, and
-// stops at three planes. Planes are released only between ticks. This renderer simplifies the virtual proxy of Ruspini,
-// Kolarov and Khatib (The haptic display of complex graphical environments, SIGGRAPH 1997). Their method solves a small
-// quadratic programme for each sub-goal, so it can release planes that press only from behind.
+// Implements sequential constraint planes. The sphere moves towards the goal until its exact first contact, and the
+// plane there is added as an equality constraint. The sphere then slides along one plane, or along the line where two
+// planes meet, and stops at three planes. Planes are released only between ticks. This renderer simplifies the virtual
+// proxy of Ruspini, Kolarov and Khatib (The haptic display of complex graphical environments, SIGGRAPH 1997). Their
+// method solves a small quadratic programme for each sub-goal, so it can release planes that press only from behind.
 #include <array>
 
 #include "tests/bench/compare/contestant.h"

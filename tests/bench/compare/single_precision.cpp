@@ -1,8 +1,8 @@
-// The free-cell proxy in single precision, with the same projection and the same lazy renewal of cuts from one place
-// ahead as in Handrail's renderer. All coordinates, closest points and cuts have 32 bits, relative to the scene's
-// origin, as meshes for drawing have. The arc step around edges of solids is left out. The closest point of a triangle
-// is found by three plane tests and clamped edges, that of a solid by projection. Round solids are queried in double
-// precision, and the results are rounded.
+// Implements the free-cell proxy in single precision, with the same projection and the same lazy renewal of cuts from
+// one place ahead as in Handrail's renderer. All coordinates, closest points and cuts have 32 bits, relative to the
+// scene's origin, as meshes for drawing have. The arc step around edges of solids is left out. The closest point of a
+// triangle is found by three plane tests and clamped edges, that of a solid by projection. Round solids are queried in
+// double precision, and the results are rounded.
 #include <array>
 
 #include "tests/bench/compare/contestant.h"

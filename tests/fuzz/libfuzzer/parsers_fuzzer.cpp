@@ -1,5 +1,5 @@
-// Entry point for libFuzzer. Usage: parsers_fuzzer NAME [arguments of libFuzzer]. If NAME is missing, the program lists
-// the names of the parsers.
+// Contains the entry point for libFuzzer. Usage: parsers_fuzzer NAME [arguments of libFuzzer]. If NAME is missing, the
+// program lists the names of the parsers.
 #include <sys/time.h>
 #include <unistd.h>
 
