@@ -23,7 +23,7 @@ constexpr double kChatter_s = 0.050;  // Another contact with the same feature w
 constexpr double kKeepName_s = 0.5;
 // Longest time that the name of a bumped thing waits for the voice; longer, because the walker stays at the wall.
 constexpr double kKeepBump_s = 2.0;
-constexpr double kSlideSilent_s = 0.15;  // without a slide event for this long, the hand counts as still
+constexpr double kSlideSilent_s = 0.15;  // time without a slide event after which a slide has ended
 // While the hand slides along two surfaces, the second gets the slide sound if the first had no slide event for this
 // long. Slide events come every 10 ms.
 constexpr double kSlideOwner_s = 0.05;

@@ -9,7 +9,7 @@ namespace handrail::cues {
 namespace {
 
 constexpr double kFullForce_n = 1.5;  // force of a surface on the hand at which the trigger has its full stiffness
-constexpr double kSlowest_m_per_s = 0.005;  // a slower movement of the hand counts as tremor, not as sliding
+constexpr double kSlowest_m_per_s = 0.005;  // a slower movement of the hand is treated as tremor, not as sliding
 constexpr double kFast_m_per_s = 0.1;       // speed of a fast slide, in hand metres per second
 constexpr double kStairs = 0.6;             // slope of stairs (rise over run), at which the left trigger resists fully
 // Greatest length of a step. Two footsteps farther apart do not belong to the same walk.

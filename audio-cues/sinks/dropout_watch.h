@@ -11,7 +11,7 @@ class DropoutWatch {
 public:
     // Length of a window. Only the smallest delay in each window is compared, because single late ticks do no harm.
     static constexpr double kWindow_s = 1.0;
-    // Increase of the delay that counts as a drop-out. It is less than a period of 256 samples, and far more than
+    // Least increase of the delay that is a drop-out. It is less than a period of 256 samples, and far more than
     // clocks drift apart in a window.
     static constexpr double kLate_s = 0.004;
     // Number of windows with a drop-out within kWithin_s from which on there are too many.

@@ -40,8 +40,8 @@ public:
     OpenALDevice(const OpenALDevice&) = delete;
     OpenALDevice& operator=(const OpenALDevice&) = delete;
 
-    // Both functions open the device at 48 kHz and make its context current. If one fails, the caller must close the
-    // device.
+    // open_playback() and open_loopback() open the device at 48 kHz and make its context current. If one
+    // fails, the caller must close the device.
     bool open_playback();
     Result<void> open_loopback();
     // Closes the device. Call it after all objects of its context have been deleted.

@@ -56,7 +56,7 @@ public:
     // In this order: WallTone, Slide of each hand, then the world's loops.
     using Loops = std::array<SinkVoice, kOwnLoops + kWorldVoices>;
 
-    // Both references must outlive this object. `most` is the number of sounds that can be heard at once.
+    // `hearing` and `room` must outlive this object. `most` is the number of sounds that can be heard at once.
     OpenALVoices(const Listening& hearing, OpenALRoom& room, int most) : hearing_(hearing), room_(room), most_(most) {}
 
     // Call load_filters() first; it returns false if OpenAL lacks the extension. Then call make_sources().

@@ -17,13 +17,13 @@ namespace handrail::sinks {
 // replaced only by another alarm. Any thread; each call holds a mutex for microseconds.
 class ReaderChannel {
 public:
-    // These functions are for the voice.
+    // Functions for ReaderVoice.
     void want(bool wanted);
     VoiceState state() const;
     void say(const cues::Utterance& utterance);
     void stop();
 
-    // These functions are for the owner of the accessible objects.
+    // Functions for the owner of the accessible objects.
     bool wanted() const;
     void set_state(VoiceState state);
     std::optional<std::string> take();

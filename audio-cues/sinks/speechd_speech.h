@@ -17,7 +17,7 @@ namespace handrail::sinks {
 // The audio thread owns and calls it.
 class SpeechdSpeech final : public Voice {
 public:
-    // If a call has had no answer for this long, the server counts as gone.
+    // Time without an answer to a call after which the server is treated as gone.
     static constexpr double kStalled_s = 1.0;
     static constexpr double kFirstRetry_s = 1.0;  // time until the first retry after a loss; doubled after each failure
     static constexpr double kSlowestRetry_s = 30.0;

@@ -57,7 +57,7 @@ private:
     settings::SpeechThrough through_;
     Voice* active_ = nullptr;           // the voice that speaks now, one of voices_; null: none
     bool chosen_ = false;               // true once a voice has been chosen for the first time
-    bool choosing_again_ = false;       // the settings have changed, so a change of voice does not count as a loss
+    bool choosing_again_ = false;       // the settings have changed, so a change of voice is no loss
     std::optional<double> asked_at_s_;  // time when each voice was last told whether it is requested
     double now_s_ = 0.0;
     std::optional<cues::Utterance> current_;  // utterance that the active voice received and may not have finished

@@ -31,7 +31,7 @@ constexpr double kAtAThing_m = 0.25;  // greatest distance from a mark or sound 
 // Least width of a thing, as a share of the whole world's width, from which on it is never left out, because the world
 // is about that thing.
 constexpr double kOfTheWorld = 0.1;
-constexpr double kLevel = 0.1;  // sine of the greatest tilt of a face that counts as vertical
+constexpr double kLevel = 0.1;  // sine of the greatest tilt of a face that is treated as vertical
 
 using namespace doorway;
 

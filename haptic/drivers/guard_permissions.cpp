@@ -67,7 +67,7 @@ confine::Permissions guard_permissions(std::string_view device) {
     if (device == "falcon") permit_falcon(permissions);
     else if (device == "force-stick") permissions.read_and_write.emplace_back("/dev/input");
     else permit_makers_library(permissions);
-    // Such a device may be on USB, FireWire, a serial or parallel port, or Ethernet.
+    // A device that only its library can find may be on USB, FireWire, a serial or parallel port, or Ethernet.
     if (is_found_only_by_opening(device)) {
         permissions.read_and_write.emplace_back("/dev");
         permissions.any_internet = true;

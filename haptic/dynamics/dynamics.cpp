@@ -35,7 +35,7 @@ constexpr double kPressed_m = 1e-3;  // overlap with the walker from which on th
 constexpr double kWhole = 1e-6;
 // Steps between two sound events of a rolling or sliding body; 12 steps give 20 events a second.
 constexpr int kMovingSteps = 12;
-constexpr int kFallingSteps = 24;  // number of steps without contact after which a body counts as falling
+constexpr int kFallingSteps = 24;  // number of steps without contact after which a body is falling
 
 enum Kind : int { kBuilding, kSheets, kDriven, kBody, kWalker };
 Kind kind_of(const btCollisionObject& object) { return static_cast<Kind>(object.getUserIndex2()); }

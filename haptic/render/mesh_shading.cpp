@@ -9,7 +9,7 @@
 namespace handrail::render {
 namespace {
 
-constexpr double kFlat_m = 1e-9;  // a smaller rise counts as a rounding error
+constexpr double kFlat_m = 1e-9;  // a smaller rise is treated as a rounding error
 
 std::vector<std::uint32_t> welded(std::span<const Vec3> points) {
     std::map<std::tuple<double, double, double>, std::uint32_t> known;

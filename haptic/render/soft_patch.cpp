@@ -14,7 +14,7 @@ namespace {
 constexpr double kShear = 0.5;  // c, the coupling to each neighbouring cell
 // Least radius of the footprint, in cells. With fewer, the sum over the cells no longer approximates the integral.
 constexpr double kLeastFootprintCells = 3.0;
-constexpr double kBack_hand_m = 1e-6;  // a cell counts as recovered if it is nearer than this to its rest position
+constexpr double kBack_hand_m = 1e-6;  // distance from its rest position at which a cell has recovered
 
 }  // namespace
 

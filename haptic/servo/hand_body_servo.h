@@ -23,7 +23,7 @@ struct BodyTuning {
     // Buttons of the device for gripping. While they are pressed, they hold the body that was touched when they were
     // pressed. 0: none.
     std::uint32_t grip_buttons = 0;
-    // Number of quarter turns of the held body to the left since the start; turns to the right count as negative.
+    // Number of quarter turns of the held body to the left since the start; turns to the right are negative.
     std::int32_t quarters = 0;
 };
 

@@ -143,7 +143,7 @@ public:
     static constexpr double kJumpM = 0.020;  // greatest distance that a hand can move from one tick to the next
     static constexpr int kBadSamplesLatch = 3;
     static constexpr double kFirstMovementM = 0.003;
-    static constexpr double kShortGapS = 0.005;  // shorter gaps count as ordinary thread jitter
+    static constexpr double kShortGapS = 0.005;  // shorter gaps are treated as thread jitter
     static constexpr double kLongGapS = 0.025;
 
     explicit ServoState(const device::DeviceSpec& spec);

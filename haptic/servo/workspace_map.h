@@ -42,7 +42,7 @@ struct WorkspaceFrame {
     }
 };
 
-// Computes sine and cosine to 2e-16 for headings up to 1e6 turns. It uses a polynomial in this file, because the C
+// Computes sine and cosine to 2e-16 for headings up to 1e6 turns. The function uses a polynomial, because the C
 // library's result may differ between machines.
 void sin_cos_of_heading(double heading_rad, double& sine, double& cosine) noexcept;
 

@@ -58,7 +58,7 @@ public:
 
 private:
     struct Shape {
-        ObstacleKind kind = ObstacleKind::Brush;  // kind; a box counts as a brush here until the builder recognises it
+        ObstacleKind kind = ObstacleKind::Brush;  // kind; a box is a brush here until the builder recognises it
         std::vector<Vec3> points;                 // corners; or the centre of a sphere; or the centres of both ends
         std::vector<Plane> planes;
         FeatureId feature;
