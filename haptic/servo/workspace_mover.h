@@ -27,7 +27,7 @@ struct WorkspaceTuning {
     bool rim_open_behind = false;
     // Buttons of the device that drag the world along with the hand while they are held; 0: no button does.
     std::uint32_t grab_buttons = 0;
-    bool grab_key = false;        // true while a key is held that acts like a grab button
+    bool grab_key = false;        // set by a key; acts like a held grab button
     Vec3 push_hand_m_per_s{0.0};  // velocity that the person requests by keys, device frame
     // The middle of the workspace must stay in this box. If the middle is already outside, it must not move farther
     // out. Empty: no limits.

@@ -117,7 +117,7 @@ BenchReport run_bench(const BenchOptions& options) {
     }
     if (options.only.empty() || lower_ascii(options.only) == kWorst)
         for (int number = 0; number < test::kWorstCases; ++number) {
-            // A quick run includes only hard case 1, which is built fastest.
+            // A quick run includes only worst case 1, which is built fastest.
             if (options.quick && number != 1) continue;
             at(fmt::format("hard case {} of {}", number + 1, test::kWorstCases));
             report.worst.push_back(run_worst_case(number, options.quick ? 200 : 2000, options.quick ? 1 : 3));
