@@ -16,10 +16,11 @@ namespace handrail::core {
 namespace {
 
 constexpr double kMoved_m = 1e-4;       // movements smaller than this are the jitter of a resting body
-constexpr double kTurned = 1e-4;        // radians; smaller turns are also jitter
-constexpr double kRestsAfter_s = 0.2;   // a body rests once it has not moved for this long
-constexpr double kBeforeFeet_m = 0.06;  // the walker pushes a body that is this near in front
-constexpr double kPushFor_s = 0.05;  // duration of one push order; longer than a frame, so that the pushes join evenly
+constexpr double kTurned = 1e-4;        // radians; turns smaller than this are the jitter of a resting body
+constexpr double kRestsAfter_s = 0.2;   // a body is at rest once it has not moved for this long
+constexpr double kBeforeFeet_m = 0.06;  // the walker pushes a body that is at most this far in front
+// Duration of one push order; longer than a frame, so that each push lasts until the next.
+constexpr double kPushFor_s = 0.05;
 constexpr double kGivesWayWithin_s = 0.5;  // a pushed body that has not moved after this time blocks the walker
 constexpr double kGone_m = 0.01;
 // A body whose top is lower than this above the feet is underfoot and does not block the walker.
@@ -29,10 +30,12 @@ constexpr double kOff_m_per_s = 0.3;
 constexpr double kHeldBack = 0.3;
 // Cosine of the largest angle from straight ahead at which the walker can take hold of a thing.
 constexpr double kAhead = 0.25;
-constexpr double kStrained_s = 2.0;  // after a pause of this length, pushing counts as a new attempt
-// A hit counts as underneath a body within the angle from straight down that has this cosine.
+// The walker starts a new attempt to push if the last push was longer ago than this.
+constexpr double kStrained_s = 2.0;
+// Cosine. A hit is underneath a body if its direction from the body's middle is within this angle of straight down.
 constexpr double kUnder = 0.8;
-constexpr double kHeard_s = 3.0;  // a hit explains why the held or pushed thing stopped for this long
+// For this long after a hit, the announcement that a held or pushed thing stopped names the thing that was hit.
+constexpr double kHeard_s = 3.0;
 
 bool differs(const Placement& a, const Placement& b) {
     const double turned = 1.0 - std::abs(a.rotation.w * b.rotation.w + a.rotation.x * b.rotation.x +
@@ -151,7 +154,7 @@ void Bodies::restart() {
     grip_.let_go();
     engine_->order({.kind = dynamics::BodyEngine::Order::Kind::LetGo});
     engine_->order({.kind = dynamics::BodyEngine::Order::Kind::Restart});
-    // The restarted engine does not know where the walker is.
+    // The restarted engine does not know where the walker is, so the walker's position must be sent again.
     walker_m_ = Vec3(std::numeric_limits<double>::infinity());
     driven_.clear();
 }
@@ -167,8 +170,9 @@ void Bodies::tell_engine() {
         driven_ = std::move(now);
     }
     if (!context_.body.walker) return;
-    // A small ball could roll under the round end of the walker's capsule, below the soles. So the capsule is sunk into
-    // the floor, except while the walker is in the air or stands on a body.
+    // A small ball could roll under the round end of the walker's capsule, below the soles. To prevent this, the
+    // capsule reaches into the floor. While the walker is in the air or stands on a body, the capsule ends at the
+    // soles.
     const bool lifted = !context_.body.walker->state().on_ground || body_of(context_.body.ground) != render::kNoBody;
     const Vec3 feet = context_.body.feet_m();
     if (feet == walker_m_ && lifted == walker_lifted_) return;
@@ -244,7 +248,7 @@ void Bodies::hear(double now_s) {
             event.other_body != render::kNoBody ? scene_->bodies[event.other_body].feature : event.other;
         if (on_hit) on_hit(scene_->bodies[event.body].feature, met, now_s);
         if (!mine) continue;
-        // A hit underneath the body does not stop the body.
+        // A hit underneath the body does not stop the body, so it explains nothing.
         const Vec3 off = event.at_m - middle(event.body).position_m;
         if (off.z < -kUnder * glm::length(off)) continue;
         hit_ = met;
@@ -263,7 +267,7 @@ void Bodies::shove(std::uint32_t body, const Vec3& speed_m_per_s) {
 }
 
 // Removes the part of `wish_m_per_s` that leads into a body, and pushes that body away. The engine lets bodies overlap
-// a little, and the walker can pass through an overlap, so nobody stays trapped. Returns the body that the walker
+// a little. The walker can pass through such an overlap, so nobody stays trapped. Returns the body that the walker
 // meets, or kNoBody.
 std::uint32_t Bodies::keep_apart(Vec3& wish_m_per_s) {
     std::uint32_t met = render::kNoBody;

@@ -1,7 +1,8 @@
-// The movable things of a world. This class owns their physics engine and sends it the positions of doors and of the
-// walker. It passes the positions of the moved things to the hand, the walker and the view. Without a clock, the
-// session steps the engine here, so equal input gives bit-identical results. With a clock, the engine runs on its own
-// thread. A world without movable things has neither engine nor thread. App thread only.
+// Manages the movable things of a world. The session owns this class. The class owns the physics engine of these things
+// and sends it the positions of doors and of the walker. It passes the positions of the moved things to the hand, the
+// walker and the view. Without a clock, the session steps the engine here, so equal input gives bit-identical results.
+// With a clock, the engine runs on its own thread. A world without movable things has neither engine nor thread. Use
+// the class on the app thread only.
 #pragma once
 
 #include <array>
@@ -24,34 +25,37 @@ namespace handrail::core {
 
 class Bodies : SessionPart {
 public:
-    // Updates the positions of the things in `world`, and passes the engine to the servos through `hands`.
+    // Writes the positions of the things to `world`, and passes the engine to the servos through `hands`.
     Bodies(const SessionContext& context, WorldState& world, HandsState& hands)
         : SessionPart(context), world_(world), hand_grip_(context, hands) {}
 
-    // Sets how engines are made for every world that is entered from now on.
+    // Sets how an engine is made for each world that is entered after this call.
     void make_engines(BodyEngines how) { how_ = std::move(how); }
-    // Call it after the world and its things have been entered. If `scene` is null, nothing in this world is movable.
+    // Starts the engine of a new world. Call it after the world and its things have been entered. If `scene` is null,
+    // nothing in this world is movable.
     void enter_world(std::shared_ptr<const render::DynamicsScene> scene, double now_s);
 
-    // Handles the commands that take hold of a thing, release it, put it back or move it while it is held. Returns
+    // Carries out the commands that take hold of a thing, release it, put it back or move it while it is held. Returns
     // false if the command belongs to another feature.
     bool act(Command command, double now_s, int times = 1);
-    // True if the key of this command moves the held thing instead of the walker.
+    // Returns true if the key of this command moves the held thing instead of the walker.
     bool keeps(Command command) const { return grip_.keeps(command); }
     void release(Command command) { grip_.release(command); }
-    // Advances an engine without its own thread to `now_s`. Call it every millisecond if a hand has to feel the bodies.
-    // Otherwise tick() advances the engine.
+    // Advances an engine without its own thread to `now_s`. Call this function every millisecond if a hand has to feel
+    // the bodies. Otherwise tick() advances the engine.
     void step_engine(double now_s);
-    // Call it before the positions of the things are sent to the servo.
+    // Reads the engine's results and advances the grips. Call it before the positions of the things are sent to the
+    // servo.
     void tick(double now_s);
-    // Call it before the walker moves with the velocity `wish_m_per_s`. Pushes the thing in front of the walker if it
-    // is light enough, and returns true while that thing moves. Pushes away a body that has been driven into the
-    // walker, and removes the part of `wish_m_per_s` that leads into that body.
+    // Call this function before the walker moves with the velocity `wish_m_per_s`. It pushes the thing in front of the
+    // walker if that thing is light enough, and returns true while the thing moves. It also pushes away a body that has
+    // been driven into the walker, and removes the part of `wish_m_per_s` that leads into that body.
     bool push_ahead(Vec3& wish_m_per_s, double now_s);
 
-    // Prevents the grip from announcing where the held thing came to rest, because a game announces that.
+    // Prevents the grip from announcing where the held thing came to rest. A game calls this because the game announces
+    // the place.
     void step_is_told() { grip_.step_is_told(); }
-    // Silently puts everything back to its position in the world file.
+    // Silently moves every thing back to its position in the world file.
     void restart();
     bool any_moving() const { return moving_; }
     // Returns the position of each thing while at least one of them moves; otherwise returns an empty list.
@@ -63,7 +67,7 @@ public:
     std::optional<double> mass_kg(FeatureId feature) const;
     // Returns the engine of this world, or null if nothing in the world is movable.
     const dynamics::BodyEngine* engine() const { return engine_.get(); }
-    // How much of the engine's output this class has read.
+    // Counters that tell how far this class has read the engine's output.
     struct EngineRead {
         std::uint32_t engine = 0;  // number of the engine, as in HandChannel::engine
         std::uint64_t frame = 0;   // number of the last frame read, as in DynamicsFrame::number; 0: none yet
@@ -78,7 +82,7 @@ public:
         return hand_grip_.held(which) == render::kNoBody ? kNoFeature : scene_->bodies[hand_grip_.held(which)].feature;
     }
 
-    // Set by a game. This class calls it when a thing hits another thing or a part of the building.
+    // A game sets this function. This class calls it when a thing hits another thing or a part of the building.
     std::function<void(FeatureId thing, FeatureId met, double now_s)> on_hit;
 
 private:
@@ -113,8 +117,8 @@ private:
     bool moving_ = false, rested_ = false;
     FeatureId hit_ = kNoFeature;  // the feature that the held thing hit last
     double hit_s_ = -1e9;
-    // The body that the walker pushes; when the walker began to push it without progress; when the last push was; where
-    // the body was then.
+    // The body that the walker pushes, the start of the present attempt without progress, the time of the last push,
+    // and the position of the body at that start.
     std::uint32_t pushed_ = render::kNoBody;
     double pushed_since_s_ = 0.0, pushed_s_ = -1e9;
     Vec3 pushed_from_m_{0.0};

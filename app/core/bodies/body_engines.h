@@ -1,4 +1,5 @@
-// Settings for the physics engines that a session makes, one for each world with movable things. Plain data, set once.
+// Defines the settings for the physics engines of a session, which makes one engine for each world with movable things.
+// They are plain data, set once.
 #pragma once
 
 #include <functional>
@@ -11,12 +12,12 @@
 namespace handrail::core {
 
 struct BodyEngines {
-    // The session's clock, which outlives the engines. With a clock, each engine runs on its own thread. If it is null,
-    // each tick of the session steps the engine.
+    // The session's clock, which outlives the engines. With a clock, each engine runs on its own thread. If `clock` is
+    // null, each tick of the session steps the engine.
     Clock* clock = nullptr;
-    // Records every step of the engines, and outlives the session. Null: nothing is recorded.
+    // Records every step of the engines, and outlives the session. If null, nothing is recorded.
     dynamics::EngineRecording* recording = nullptr;
-    // Makes an engine that replays a recording from the given time on. Empty: real engines are used.
+    // Makes an engine that replays a recording from the given time on. If empty, the session makes real engines.
     std::function<std::unique_ptr<dynamics::BodyEngine>(std::shared_ptr<const render::DynamicsScene> scene,
                                                         double begin_s)>
         played;

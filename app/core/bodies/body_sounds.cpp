@@ -6,10 +6,12 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kLoudest_ns = 20.0;  // impulse of the loudest hit: a crate of 4 kg that falls from more than a metre
-constexpr double kFaintest = 0.05;    // lowest loudness that is played, as a share of the loudest
-constexpr double kLoudestRoll_m_per_s = 1.5;  // speed at which rolling is loudest: walking speed
-// The sound of a body stops after this time without a report; the engine reports rolling and sliding 20 times a second.
+// Impulse of the hit that plays at full loudness: a crate of 4 kg that falls from more than a metre.
+constexpr double kLoudest_ns = 20.0;
+constexpr double kFaintest = 0.05;            // share of the full loudness; quieter sounds are not played
+constexpr double kLoudestRoll_m_per_s = 1.5;  // speed at which a rolling sound plays at full loudness: walking speed
+// If the engine sends no report for this long, the sound of a body stops. The engine reports rolling and sliding 20
+// times a second.
 constexpr double kSilent_s = 0.2;
 constexpr std::uint32_t kFirstSource = 16;  // first sound source of bodies; lower numbers belong to the hands
 
@@ -60,7 +62,7 @@ void BodySounds::hear(const render::BodyEvent& event, const render::DynamicsScen
             Loop& heard = loops_[event.body];
             heard.heard_s = now_s;
             heard.at_m = event.at_m;
-            // A sliding body scrapes loudly; a rolling one only murmurs.
+            // At the same speed, a sliding body sounds twice as loud as a rolling one.
             const double most = event.kind == render::BodyEvent::Kind::Slides ? 1.0 : 0.5;
             const double loudness = most * std::min(1.0, event.speed_m_per_s / kLoudestRoll_m_per_s);
             loop(event.body, loudness < kFaintest ? 0.0 : loudness, sound_of(other), now_s);

@@ -1,5 +1,5 @@
-// Sounds of moving things: hits, rolling and sliding, played at the place of contact. Impulse, speed and both materials
-// determine the sound. App thread only.
+// Plays the sounds of moving things at the place of contact: hits, rolling and sliding. Impulse, speed and both
+// materials determine the sound. Use it on the app thread only.
 #pragma once
 
 #include <vector>
@@ -28,7 +28,7 @@ private:
     SoundClass sound_of(FeatureId feature) const;
     void loop(std::size_t body, double loudness, SoundClass material, double now_s);
 
-    std::vector<Loop> loops_;  // one entry for each body
+    std::vector<Loop> loops_;  // one entry for each body of the world
 };
 
 }  // namespace handrail::core

@@ -1,4 +1,4 @@
-// Words for movable things. Functions of the context; app thread.
+// Puts movable things into words. These are functions of the context. Call them on the app thread.
 #pragma once
 
 #include <string>

@@ -11,7 +11,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kAnswers_s = 0.3;  // after a request, the servo must have taken hold within this time
+constexpr double kAnswers_s = 0.3;  // the servo must take hold within this time after a request
 
 }  // namespace
 
@@ -64,7 +64,7 @@ void DeviceGrip::tick(const render::DynamicsScene& scene, double now_s) {
     for (std::size_t which = 0; which < sides_.size(); ++which) {
         Side& side = sides_[which];
         const servo::ToolState& is = tool(which);
-        if (is.scene_world != context_.world.felt) continue;  // the servo still reports the world that was left
+        if (is.scene_world != context_.world.felt) continue;  // This report still belongs to the previous world.
         const bool heavy = std::exchange(side.heavies, is.heavies) != is.heavies && side.heavies_known;
         side.heavies_known = true;
         if (heavy && is.heavy < scene.bodies.size()) {

@@ -1,6 +1,6 @@
 // Lets the hand of a device hold a thing. The person presses the device's button, or the Use key while the hand touches
-// the thing. The servo does the holding. This class requests it and announces what is held, released or too heavy. App
-// thread only.
+// the thing. The servo holds the thing. This class sends the servo the request and announces which thing is held,
+// released or too heavy. Use it on the app thread only.
 #pragma once
 
 #include <array>
@@ -17,11 +17,11 @@ public:
     DeviceGrip(const SessionContext& context, HandsState& hands) : SessionPart(context), hands_(hands) {}
 
     void enter_world();
-    // Handles the commands that take hold of the touched thing, release it or turn it by 90 degrees. Returns false if
-    // the command belongs to another feature.
+    // Carries out the commands that take hold of the touched thing, release it or turn it by 90 degrees. Returns false
+    // if the command belongs to another feature.
     bool act(Command command, const render::DynamicsScene& scene, double now_s);
     void tick(const render::DynamicsScene& scene, double now_s);
-    // Returns the body that the hand holds, or kNoBody. 0 is the only or right hand, 1 the left hand.
+    // Returns the body that hand `which` holds, or kNoBody. 0 is the only or right hand, 1 the left hand.
     std::uint32_t held(std::size_t which) const { return sides_[which].held; }
 
 private:

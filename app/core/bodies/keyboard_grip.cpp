@@ -12,12 +12,12 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kStep_m = 0.25;   // length of the step of one tap; a ball moves by two of its diameters instead
+constexpr double kStep_m = 0.25;   // how far one tap moves the held thing; a ball moves by two of its diameters instead
 constexpr double kRepeat_s = 1.0;  // a held key repeats its step after this time
 constexpr double kRests_s = 0.15;  // a step ends once the thing has not moved for this long
-constexpr double kStill_m = 2e-3;  // shifts smaller than this do not count as movement
+constexpr double kStill_m = 2e-3;  // the thing moved if it shifted by more than this
 constexpr double kMost_s = 2.5;    // a step ends after this time, even if the thing still moves
-// Share of a step; if more than this is missing at the end, an obstacle stopped the thing.
+// Share of a step. If the thing ends further than this share from its target, an obstacle stopped the thing.
 constexpr double kShort = 0.25;
 
 constexpr std::array kSteps{Command::Forward,   Command::Back,   Command::TurnLeft,

@@ -20,18 +20,18 @@ public:
     bool holds() const { return held_ != render::kNoBody; }
     std::uint32_t held() const { return held_; }
     bool idle() const { return !stepped_s_; }  // true if no step is under way
-    // True if the key of this command, while it is down, moves the held thing instead of the walker.
+    // Returns true if the key of this command, while it is down, moves the held thing instead of the walker.
     bool keeps(Command command) const;
     void release(Command command) { keys_.release(command); }
 
-    // Takes hold of the body at its present position and announces it. A body that is too heavy is announced but not
-    // taken.
+    // Takes hold of the body at its present position and announces it. If the body is too heavy, this function
+    // announces that and does not take hold.
     void take(dynamics::BodyEngine& engine, const render::DynamicsScene& scene, std::uint32_t body,
               const Placement& middle, double now_s);
-    // Returns false if the command belongs to another feature.
+    // Carries out a command for the held thing. Returns false if the command belongs to another feature.
     bool act(Command command, dynamics::BodyEngine& engine, const render::DynamicsScene& scene, const Placement& middle,
              double now_s, int times);
-    // Ends the step without an announcement, because a game announces where the thing came to rest.
+    // Ends the step without an announcement. A game calls this because the game announces where the thing came to rest.
     void step_is_told() { stepped_s_.reset(); }
     // Announces the result of a step when the thing comes to rest. `hit` is the feature that the thing hit last, or
     // kNoFeature.

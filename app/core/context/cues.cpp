@@ -31,8 +31,8 @@ void Cues::tell(cues::SpeechTopic topic, std::string text, double now_s, const T
     request.speech_class = guidance                            ? cues::SpeechClass::Guidance
                            : topic == cues::SpeechTopic::Steps ? cues::SpeechClass::Contact
                                                                : cues::SpeechClass::Answer;
-    // Only place names must not be repeated soon: a person who stands between two rooms is alternately in one and in
-    // the other.
+    // Only the name of a place must not be repeated soon, because a person who stands between two rooms alternates
+    // between them.
     request.repeatable = how.anew || how.answers || topic != cues::SpeechTopic::Place;
     request.placed = how.place_m.has_value();
     request.position_m = how.place_m.value_or(Vec3(0.0));

@@ -1,5 +1,5 @@
-// The queue of everything that a session wants to say and play. The owner of the session takes it after each tick and
-// passes it on to speech and sound. App thread only.
+// Queues everything that a session wants to say and play. After each tick, the owner of the session removes the
+// requests and passes them to speech and sound. Use the queue on the app thread only.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace handrail::core {
 
-// Makes a request to play a sound once at this place.
+// Returns a request to play a sound once at `place_m`.
 cues::CueRequest sound_at(cues::SoundKind kind, const Vec3& place_m, double now_s);
 
 class Cues {
@@ -21,27 +21,28 @@ public:
     explicit Cues(const WalkerState& body) : body_(body) {}
 
     void say(std::string text, cues::SpeechClass speech_class, double now_s);
-    // How tell() says a line about a topic. The topic determines the speech class. `anew`: the line was cut off before,
-    // so it may be repeated. `place_m`: the place that the line is about, if any.
+    // Options of tell(), which says a line about a topic. The topic determines the speech class. `anew`: the line was
+    // cut off before, so it may be repeated. `place_m`: the place that the line is about, if any.
     struct Telling {
         bool anew = false;
-        // The person pressed a key for this line or was waiting for it, so it is said at every verbosity.
+        // True: the person pressed a key for this line or was waiting for it, so it is said at every verbosity.
         bool answers = false;
         std::optional<Vec3> place_m = {};
     };
     void tell(cues::SpeechTopic topic, std::string text, double now_s, const Telling& how);
-    // Says a warning that a walking person needs at once, each time: drops, stairs, or something shut or in the way.
+    // Says a warning that a walking person needs at once: a drop, stairs, or something that is shut or blocks the path.
+    // It is said each time, even if it was said shortly before.
     void warn(std::string text, double now_s) { say(std::move(text), cues::SpeechClass::Warning, now_s); }
     // Says the response to what the person requested or did.
     void answer(std::string text, double now_s) { say(std::move(text), cues::SpeechClass::Answer, now_s); }
     void play(cues::SoundKind kind, double now_s) { cue(sound_at(kind, body_.ears_m(), now_s)); }
     void play_at(cues::SoundKind kind, const Vec3& place_m, double now_s) { cue(sound_at(kind, place_m, now_s)); }
-    // Call it when a key is pressed. It ends the present speech, except alarms and warnings.
+    // Stops the present speech, except alarms and warnings. Call it when a key is pressed.
     void quiet(double now_s);
     void cue(cues::CueRequest request) { waiting.push_back(std::move(request)); }
     std::vector<cues::CueRequest> take() { return std::exchange(waiting, {}); }
 
-    std::vector<cues::CueRequest> waiting;  // not yet taken by the owner
+    std::vector<cues::CueRequest> waiting;  // requests that the owner has not removed yet
 
 private:
     const WalkerState& body_;

@@ -1,5 +1,5 @@
-// The pending request to leave the program or a lesson. The first request opens a question that the person must
-// confirm. A second request within kWindow_s leaves at once. Plain state; app thread only.
+// Stores the pending request to leave the program or a lesson. The first request opens a question that the person must
+// confirm. A second request within kWindow_s leaves at once. Plain state for the app thread only.
 #pragma once
 
 namespace handrail::core {

@@ -1,5 +1,5 @@
-// The draft of a lesson of three sessions, which an instructor has prepared in the program. The owner of the session
-// writes it to a file. Plain data in world metres.
+// Describes the draft of a lesson of three sessions, which an instructor has prepared in the program. The owner of the
+// session writes the draft to a file. Plain data in world metres.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace handrail::core {
 
 struct LessonDraft {
-    // A thing or a room, under its name in files. If both names are empty, it is just a position.
+    // A thing or a room, under its name in files. If both names are empty, the place is only a position.
     struct Place {
         std::string name, thing, room;
         Vec3 place_m{0.0};
@@ -19,14 +19,15 @@ struct LessonDraft {
     std::string title;
     Vec3 base_feet_m{0.0};
     double base_heading_rad = 0.0;
-    // Name of the room of the base as it is spoken; empty: no room, or outdoors, which has no walls to learn.
+    // Spoken name of the room that contains the base. Empty if the base is in no room, or outdoors, where there are no
+    // walls to learn.
     std::string base_room;
     std::vector<Place> landmarks;
     std::vector<Place> stops;  // stops of the route, in order
     // Landmarks that the learner must locate from the base: all landmarks except those at the base itself.
     std::vector<std::string> asked;
     std::vector<std::string> on_route;  // those of `asked` that the route passes, in the order of the route
-    std::string world_checksum;         // empty: not known
+    std::string world_checksum;         // checksum of the world file; empty: not known
 };
 
 }  // namespace handrail::core

@@ -23,7 +23,8 @@ public:
     }
 
     Dialogue dialogue;
-    // Called before a list opens; set by the session, which stops the walker because keys then go to the list.
+    // The session sets this function. It is called before a list opens, and stops the walker because keys then go to
+    // the list.
     std::function<void()> before_open;
 
 private:

@@ -1,4 +1,4 @@
-// What the person has chosen: settings, and the keys that result from them. Plain state; app thread only.
+// Stores what the person has chosen: settings, and the keys that result from them. Plain state for the app thread only.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct Person {
 
     settings::Settings settings;
     KeyMap keys;
-    // Settings that a command changed and the owner still has to save, as key and value.
+    // Keys and values of the settings that a command changed and the owner still has to save.
     std::vector<std::pair<std::string, std::string>> changes;
 };
 

@@ -1,6 +1,6 @@
-// What every feature of a session may read and request. The session makes one context, and each feature keeps a
-// reference to it. The context owns nothing, and features only read its const members. A feature that needs another
-// feature gets a reference to it in its constructor. App thread only.
+// Provides everything that a feature of a session may read and request. The session makes one context, and each feature
+// keeps a reference to that context. The context owns nothing, and features only read its const members. A feature that
+// needs another feature gets a reference to it in its constructor. Use the context on the app thread only.
 #pragma once
 
 #include <functional>
@@ -27,19 +27,19 @@ namespace handrail::core {
 
 class RoomsKept;
 
-// Requests that involve several features, so that only the session can carry them out. The session sets all of them.
+// Requests that involve several features. Only the session can carry them out, so it sets all of these functions.
 struct SessionRequests {
-    // Saves what the person added to the world. If another session has changed the same file, all sessions read it
-    // again. If the file could not be written, the session announces that, returns false and tries again later.
+    // Saves what the person added to the world. If another session has changed the same file, all sessions read the
+    // file again. If the file could not be written, the session announces that, returns false and tries again later.
     std::function<bool(double now_s)> save_additions;
-    // Moves the walker to another place in this world, and the hand's workspace with it.
+    // Moves the walker, and the hand's workspace with the walker, to another place in this world.
     std::function<void(const Vec3& feet_m, double heading_rad, double now_s)> place;
-    // Makes this place the base of the world until the world is entered again.
+    // Makes this place the base of the world until a world is entered again.
     std::function<void(const Vec3& feet_m, double heading_rad)> move_base;
-    // Acts as if the command's key had been pressed and released.
+    // Has the same effect as pressing and releasing the command's key.
     std::function<void(Command command, double now_s)> perform;
-    // Changes the setting with this key ("workspace.scale", "keys.forward"). The change is effective at once and saved.
-    // On failure, it returns a sentence as the error and changes nothing.
+    // Changes the setting with this key, for example "workspace.scale" or "keys.forward". The change is effective at
+    // once and saved. On failure, it returns a sentence as the error and changes nothing.
     std::function<Result<void>(std::string_view key, const std::string& value, double now_s)> set;
 };
 
@@ -58,7 +58,7 @@ struct SessionContext {
     Arrivals* arrivals;        // receives the results of background tasks; may be null
     RoomsKept* rooms_kept;     // rooms kept by other sessions in the same world; may be null
     SessionRequests asks = {};
-    // Time of the last tick, which is also the time of everything that a list or question triggers.
+    // Time of the last tick. Everything that a list or question triggers happens at this time.
     double tick_s = -1.0;
 
     void say(std::string text, cues::SpeechClass speech_class, double now_s) const {
@@ -69,7 +69,8 @@ struct SessionContext {
     }
     void warn(std::string text, double now_s) const { cues.warn(std::move(text), now_s); }
     void answer(std::string text, double now_s) const { cues.answer(std::move(text), now_s); }
-    // Saves what the person has just added, then says `words`. If saving failed, the answer adds that.
+    // Saves what the person has just added, then says `words`. If saving failed, the announcement adds a sentence about
+    // that.
     void keep_and_answer(const std::string& words, double now_s) const {
         answer(asks.save_additions(now_s) ? words : phrase("guide.not_saved", {{"words", words}}), now_s);
     }

@@ -1,6 +1,6 @@
-// Events of a session, for a recording, a lesson or a test. They do not include speech and sound. Features report
-// events through the context and do not know who listens. Plain data in world metres and in seconds of the session's
-// clock.
+// Defines the events of a session, for a recording, a lesson or a test. Speech and sound are not events. Features
+// report events through the context and do not know who listens. Plain data in world metres and in seconds of the
+// session's clock.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@
 
 namespace handrail::core {
 
-// A hand has begun to touch another feature, or no feature any more.
+// A hand has begun to touch another feature, or has stopped touching any feature.
 struct Touched {
     FeatureId feature;
     bool left = false;   // true: the left of two hands
     Vec3 at_m{0.0};      // centre of the proxy
-    double force_n = 0;  // force of all contacts
+    double force_n = 0;  // sum of the forces of all contacts
 };
 // The walker entered a room; `room` is its number in the room graph.
 struct RoomEntered {
@@ -33,7 +33,7 @@ struct ThingVisited {
     FeatureId feature;
     VisitedBy by = VisitedBy::Hand;
 };
-// The person answered a question by typing.
+// The person answered a question with a typed text.
 struct Answered {
     std::string question, text;
 };
@@ -42,7 +42,7 @@ struct WallDone {
     FeatureId feature;
     std::uint32_t room = 0;
 };
-// The person requested their own position, for the surroundings or for the exits.
+// The person requested help: their own position, the surroundings or the exits.
 struct HelpRequested {
     Command command;
 };
@@ -90,7 +90,7 @@ struct ListShown {
     bool open = false;
 };
 
-// What a learner requests from the teacher. The teacher is a person or a lesson file.
+// What a learner requests from the teacher, who is a person or a lesson file.
 enum class LessonWish : std::uint8_t { Done, MoreHelp, LessHelp, Leave };
 struct LessonWished {
     LessonWish wish = LessonWish::Done;
@@ -104,15 +104,15 @@ struct SessionEvent {
     Happening what;
 };
 
-// A queue that keeps events in order until they are taken. If nobody takes them, it drops the oldest beyond kMost. App
-// thread only.
+// A queue that keeps events in order until the listener removes them. If nobody removes them, the queue drops the
+// oldest ones beyond kMost. Use it on the app thread only.
 class Events {
 public:
     static constexpr std::size_t kMost = 4096;
 
     void tell(Happening what, double now_s);
     std::vector<SessionEvent> take();
-    // Set by the session. It is called at once with each event, for features that react to events.
+    // The session sets this function. The queue calls it at once with each event, so that features can react to events.
     std::function<void(const SessionEvent&)> on_told;
 
 private:

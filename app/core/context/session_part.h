@@ -1,4 +1,5 @@
-// The base class of all features of a session. It keeps the reference to the context. App thread only.
+// Defines the base class of all features of a session. The base class keeps the reference to the context. Use it on the
+// app thread only.
 #pragma once
 
 #include "app/core/context/session_context.h"

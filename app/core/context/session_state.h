@@ -1,5 +1,5 @@
-// All plain state of a session, and the context through which features read it. A session owns one. A test of features
-// without a session owns one too. App thread only.
+// Groups all plain state of a session with the context through which features read that state. Each session owns one
+// object, and so does each test of features without a session. Use it on the app thread only.
 #pragma once
 
 #include <optional>

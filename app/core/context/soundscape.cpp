@@ -12,12 +12,12 @@ namespace handrail::core {
 namespace {
 
 constexpr std::size_t kFollowedPerTick = 8;
-// Half the width of the head; smaller than any walker's radius, so that no ear is inside a wall.
+// Half the width of the head. It is smaller than the radius of any walker, so no ear is inside a wall.
 constexpr double kHeadHalf_m = 0.12;
-// Solids with a gap smaller than this count as one wall, because a wall may consist of several brushes.
+// Solids with a gap smaller than this muffle like one wall, because a wall may consist of several brushes.
 constexpr double kOneObstacle_m = 0.05;
 constexpr double kLikeAWall_m = 1.9;  // a thing of at least this height muffles sound like a wall
-// Sounds below this level at the ears are silent; measured before any volume setting.
+// level at the ears, before any volume setting; a sound below this level is not played
 constexpr double kSilent_db = -46.0;
 constexpr double kRoomEvery_s = 0.5;
 constexpr double kMoved_m = 0.02, kChanged_db = 0.25, kChanged_pulses_per_s = 0.2;
@@ -138,7 +138,7 @@ void Soundscape::add(const std::vector<AddedSound>& sounds) {
     added_ = sounds.size();
     for (std::size_t i = 0; i < sounds.size(); ++i) {
         Source& source = sources_[own + i];
-        // A sound that continues at the same place keeps its state.
+        // A sound of the same kind at the same place keeps its state.
         if (source.kind != sounds[i].kind || source.position_m != sounds[i].position_m) source = Source{};
         source.kind = sounds[i].kind;
         source.position_m = sounds[i].position_m;
@@ -149,7 +149,8 @@ void Soundscape::add(const std::vector<AddedSound>& sounds) {
 
 void Soundscape::tick(const WalkerWorld& world, const Vec3& ears_m, double now_s, std::vector<cues::CueRequest>& cues) {
     contract_pre(is_finite(ears_m) && std::isfinite(now_s));
-    // 1. Compute the level of each source at the ears. Compute the muffling of only some sources in each tick.
+    // 1. Compute the level of each source at the ears. To limit the cost, compute the muffling of only some sources
+    //   in each tick.
     std::size_t followed = 0;
     for (std::size_t i = 0; i < sources_.size(); ++i) {
         Source& source = sources_[(next_ + i) % sources_.size()];

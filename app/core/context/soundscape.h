@@ -1,6 +1,6 @@
-// The sounds of the world that reach the ears: how much walls and doors muffle them, and which three are played. Pure
-// functions, and a small state over an immutable world. App thread only. Cost: each tick traces at most eight of the
-// sources in range.
+// Selects the sounds of the world that reach the ears: it computes how much walls and doors muffle each sound, and
+// which three sounds are played. It consists of pure functions, and of a small state over an immutable world. Use it on
+// the app thread only. Each tick traces at most eight of the sources in range.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace handrail::core {
 
 // Returns by how many dB doors, walls and things between the ears and the source weaken a sound at high frequencies.
 // The value is the average over several lines around the head, so a sound half behind an edge is half as audible. A
-// solid that contains one of the two points does not count.
+// solid that contains the ears or the source does not muffle the sound.
 double muffling_db(const WalkerWorld& world, const Vec3& ears_m, const Vec3& source_m);
 
 inline constexpr double kDoorMuffles_db = 14.0, kWallMuffles_db = 24.0, kThingMuffles_db = 3.0;
@@ -39,16 +39,17 @@ struct AddedSound {
 class Soundscape {
 public:
     static constexpr std::size_t kMost = 3;
-    // A sound replaces a playing one if it has been louder by at least kLouder_db for kFor_s.
+    // A new sound replaces a playing sound if the new one has been louder by at least kLouder_db for kFor_s.
     static constexpr double kLouder_db = 3.0, kFor_s = 0.5;
 
-    // Call it when another world is entered or when the world has changed. It stops the sounds that the new state of
-    // the world does not contain.
+    // Stops the sounds that `scene` does not contain. Call it when another world is entered or when the world has
+    // changed.
     void enter(const Scene& scene);
-    // Sets the sounds that features add to the sounds of the world. It replaces those of the previous call.
+    // Sets the sounds that features add to the sounds of the world. This list replaces the list of the previous call.
     void add(const std::vector<AddedSound>& sounds);
-    double reverberation_s() const { return reverberation_s_; }  // of the room around the ears; measured twice a second
-    // Follows the ears. Appends the changes since the last tick to `cues`.
+    // Reverberation time in seconds of the room around the ears; measured twice a second.
+    double reverberation_s() const { return reverberation_s_; }
+    // Selects the sounds for the position of the ears, and appends the changes since the last tick to `cues`.
     void tick(const WalkerWorld& world, const Vec3& ears_m, double now_s, std::vector<cues::CueRequest>& cues);
 
 private:
@@ -58,7 +59,7 @@ private:
         double loudness = 1.0, pulses_per_s = 0.0;
         double muffled_db = 0.0;
         double level_db = -1e9;  // level of the sound at the ears
-        bool known = false;      // true: its muffling has been computed
+        bool known = false;      // true: the muffling of this source has been computed
         bool heard = false;
         // For a source that is not playing: time since which it has been loud enough to play.
         double louder_since_s = 0.0;
@@ -68,19 +69,19 @@ private:
     std::vector<Source> sources_;
     std::size_t added_ = 0;               // number of added sounds, at the end of sources_
     std::size_t next_ = 0;                // source whose muffling is computed next
-    std::vector<cues::CueRequest> told_;  // the requests last sent to the planner
+    std::vector<cues::CueRequest> told_;  // the requests that were sent to the planner last
     double reverberation_s_ = 0.0;
-    double next_room_s_ = -1.0;  // time of the next measurement of the room; negative: at once
+    double next_room_s_ = -1.0;  // time of the next measurement of the reverberation; negative: at once
 };
 
 // Steps through the sound dictionary entry by entry, and starts again after the last entry.
 class SoundDictionary {
 public:
-    // Returns the request that plays the entry `by` places further on, in front of the listener.
+    // Returns the request that plays the entry `by` places after the present one, in front of the listener.
     cues::CueRequest step(int by, const cues::Listener& listener, double now_s);
 
 private:
-    int shown_ = -1;  // index of the entry shown last; -1: none yet
+    int shown_ = -1;  // index of the entry that was played last; -1: none yet
 };
 
 }  // namespace handrail::core

@@ -1,5 +1,5 @@
-// An act of a teacher that affects a session. A lesson file and a person at the desk send the same values, through
-// session_input.h. An act never controls forces, speech or sound directly. Plain data.
+// Defines an act of a teacher that affects a session. A lesson file and a person at the desk send the same values,
+// through session_input.h. An act never controls forces, speech or sound directly. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct TeacherActed {
         Offer,
         Task,    // text: the task, announced now and whenever the person asks for it
         Ask,     // text: a question to answer by typing
-        Order,   // text: a question; items: to be put in order
+        Order,   // text: an instruction; items: what the learner has to put in order
         Point,   // text: what to point at, by facing it or by moving the hand towards it
         Lead,    // items and places_m: stops of a route; number: how much guidance the learner gets, from 0 (none) to 1
         Leave,   // ends the guidance that Lead has begun

@@ -24,7 +24,8 @@ std::string storey_words(double rise_m, double nearest_m) {
                            : phrase("guide.storeys_below", {{"storeys", std::max(1, -storeys)}});
 }
 
-// Returns short words as for exits, or exact words in degrees if the person does not want rounded values.
+// Returns the place in short words as for exits. If the person does not want rounded values, returns exact words in
+// degrees.
 std::string told_place(const SessionContext& context, double distance_m, double bearing_rad) {
     const auto words = context.settings.speech.rounded ? brief_place_words : place_words;
     return words(distance_m, bearing_rad, context.body.heading_goal_rad, context.settings.speech.directions,

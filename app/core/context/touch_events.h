@@ -14,7 +14,7 @@ public:
     void tick(double now_s);
 
 private:
-    // What the only or right hand touches, then what the left hand touches.
+    // The feature that the only or right hand touches, then the feature that the left hand touches.
     std::array<FeatureId, 2> touched_{kNoFeature, kNoFeature};
 };
 

@@ -1,5 +1,5 @@
-// A plain snapshot of everything visible. In each frame, the session passes it to the window and to nothing else. App
-// thread.
+// Defines a plain snapshot of everything visible. In each frame, the session passes it to the window and to nothing
+// else. Use it on the app thread only.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct MovedThing {
 };
 
 struct ViewState {
-    std::shared_ptr<const Scene> scene;  // a new pointer after another world was entered
+    std::shared_ptr<const Scene> scene;  // the scene of the world; another pointer after another world was entered
     std::vector<MovedThing> moved;       // all things that are not at their position in the scene
     Vec3 eyes_m{0.0};
     double heading_rad = 0.0;
@@ -47,8 +47,8 @@ struct ViewState {
     std::shared_ptr<const std::vector<DrawnRoom>>
         rooms;  // rooms in the order of the room graph; null: not known, or no plan is shown
     std::uint32_t room = navigation::kNothing;  // index of the walker's room in `rooms`
-    std::string last_spoken;                    // the last announcement, shown as large text
-    std::vector<Vec3> path_m;                   // walked path, oldest first
+    std::string last_spoken;                    // the last announcement, which the window shows as large text
+    std::vector<Vec3> path_m;                   // path that the walker has walked, oldest position first
     DialogueView dialogue;                      // the list or question that is open
 
     bool operator==(const ViewState&) const = default;

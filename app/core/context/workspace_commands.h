@@ -1,4 +1,5 @@
-// Tells which commands change the hand's workspace: its scale, its position or its orientation. App thread only.
+// Determines which commands change the hand's workspace: its scale, its position or its orientation. Use it on the app
+// thread only.
 #pragma once
 
 #include "app/core/dialogue/command.h"
@@ -6,7 +7,7 @@
 namespace handrail::core {
 
 bool lays_workspace(Command command);
-// True for the commands that push the workspace in one of six directions.
+// Returns true for the commands that push the workspace in one of six directions.
 bool pushes_workspace(Command command);
 
 }  // namespace handrail::core

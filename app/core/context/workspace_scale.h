@@ -1,5 +1,6 @@
-// The four named scales, and what depends on a scale: how much of the world the hand reaches, the size of the proxy,
-// and the words for both. Pure functions; any thread. Lengths are in world metres, unless a name contains "hand".
+// Defines the four named scales and what depends on a scale: how much of the world the hand reaches, the size of the
+// proxy, and the words for both. Pure functions, which any thread may call. Lengths are in world metres, unless a name
+// contains "hand".
 #pragma once
 
 #include <cstdint>
@@ -23,9 +24,9 @@ double world_m_per_hand_m(NamedScale scale, const Aabb& bounds_m, double reach_h
 // Returns "Room, 9 metres wide, 13 steps". The width is that of everything within reach of the hand.
 std::string scale_sentence(NamedScale scale, double world_m_per_hand_m, double reach_hand_m, const DistanceWords& how);
 
-// Returns the radius of the proxy. At scale 60, its diameter is `felt_diameter_m`. At other scales the proxy keeps its
-// size in the world, but stays between 2 and 6 mm at the hand. It is also at most a third of the width of the narrowest
-// door as rendered.
+// Returns the radius of the proxy. At scale 60, the proxy's diameter is `felt_diameter_m`. At other scales the proxy
+// keeps its size in the world, but stays between 2 and 6 mm at the hand. Its radius is also at most a third of the
+// width of the narrowest door as rendered.
 double ball_radius_m(const Scene& scene, double felt_diameter_m, double world_m_per_hand_m,
                      const compile::Simplification& plan = {});
 

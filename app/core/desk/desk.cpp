@@ -50,7 +50,7 @@ int nearest_position(const DeskSetting& row, double wanted) {
     return best;
 }
 
-// True if the values of this setting are words. Each setting has either only words or only numbers.
+// Returns true if the values of this setting are words. Each setting has either only words or only numbers.
 bool is_word(const DeskSetting& row) {
     return !row.values.front().empty() && std::isalpha(static_cast<unsigned char>(row.values.front().front())) != 0;
 }
@@ -93,7 +93,8 @@ int beside(const DeskSetting& row, const std::string& value, int step) {
     const int at = position_of(row, value);
     if (is_word(row)) return at + step;
     const double off = number(value) - number(row.values[static_cast<std::size_t>(at)]);
-    // If the value is between two positions, the nearest position may already be the next one in the wanted direction.
+    // If the value is between two positions, the nearest position may already be the next position in the wanted
+    // direction. It is then the result.
     if (std::abs(off) < 1e-9 * std::max(1.0, std::abs(number(value))) || (off > 0.0) == (step > 0)) return at + step;
     return at;
 }
@@ -109,8 +110,8 @@ DeskControl bound(const DeskSetting& row, std::function<std::string()> read,
     control.put = [&row, write = std::move(write)](int position) {
         write(row.values[static_cast<std::size_t>(position)]);
     };
-    // A slider for a numeric setting shows the setting's own unit. Words have no number, so their slider shows
-    // positions.
+    // For a numeric setting, screen readers show the value in the setting's own unit. A word has no number, so for
+    // words they show the position.
     if (!is_word(row)) {
         control.number = [&row, read] {
             double step = number(row.values.back()) - number(row.values.front());
@@ -175,7 +176,8 @@ std::string Desk::step(std::size_t control, int by) {
     if (count == 0 || by == 0) return value(control);
     const int one = by > 0 ? 1 : -1;
     const int first = own.beside ? own.beside(one) : own.position() + one;
-    if (first < 0 || first >= count) return value(control);  // already at the end
+    // The control is already at this end, so only its value is announced.
+    if (first < 0 || first >= count) return value(control);
     return put(control, first + by - one);
 }
 

@@ -45,7 +45,7 @@ void DeskHand::drag(const PlacedControl& control, const servo::DeskTouch& touch,
         news.push_back({DeskNews::Kind::Put, control, static_cast<int>(at_)});
     } else if (control.kind == DeskKind::Knob) {
         double way = detent_at(control, touch.proxy_m) - at_;
-        way -= kKnobDetents * std::floor(way / kKnobDetents + 0.5);  // takes the shorter direction of rotation
+        way -= kKnobDetents * std::floor(way / kKnobDetents + 0.5);  // Chooses the shorter direction of rotation.
         if (std::abs(way) <= kHysteresis) return;
         const double steps = std::round(way);
         at_ += steps;
@@ -80,8 +80,8 @@ std::vector<DeskNews> DeskHand::follow(const servo::DeskTouch& touch, const Desk
     const PlacedControl* held = panel.find(touch.held);
     if (touch.presses != presses_) {
         presses_ = touch.presses;
-        // If the press is already over, it counts for the control that the hand still touches, or for the control
-        // announced last.
+        // If the press is already over, it presses the control that the hand still touches. If the hand touches none,
+        // it presses the control announced last.
         const PlacedControl* pressed = held ? held : touched ? touched : panel.find(met_);
         if (pressed) {
             met_ = coming_ = pressed->feature;

@@ -1,5 +1,5 @@
-// Interprets the movements of the hand at the desk. It turns the servo's reports, about sixty a second, into events in
-// order: the hand reached a control, pressed it, slid it or turned it. Plain state; app thread.
+// Interprets the movements of the hand at the desk. It turns about sixty reports of the servo a second into events in
+// order: the hand reached a control, pressed it, slid it or turned it. Plain state for the app thread.
 #pragma once
 
 #include <vector>
@@ -26,7 +26,7 @@ public:
     static constexpr double kSettle_s = 0.04;
     // Once the hand has been away from the controls for this long, a name may be announced again.
     static constexpr double kForget_s = 0.25;
-    // The hand must move this many positions from the present one before the value changes.
+    // The hand must move this many positions away from the present position before the value changes.
     static constexpr double kHysteresis = 0.6;
 
     void begin(const servo::DeskTouch& touch);

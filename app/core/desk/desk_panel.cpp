@@ -12,8 +12,8 @@ namespace handrail::core {
 namespace {
 
 constexpr double kPitchM = kControlM + kControlGapM;
-// Distance of the panel beyond the middle of the workspace, as a share of the reach, so that there is room behind it
-// for a push.
+// Distance of the panel beyond the middle of the workspace, as a share of the reach. It leaves room behind the panel,
+// so that the hand can push the panel.
 constexpr double kPanelAt = 0.1;
 constexpr double kPanelThickM = 0.02;
 // The corners of the outermost controls are at most this share of the reach from the middle.
@@ -22,8 +22,8 @@ constexpr double kButtonHighM = 0.004;  // how far a button stands out of the pa
 constexpr double kSliderHighM = 0.002, kKnobHighM = 0.002, kDomeHighM = 0.003;
 // Radius and height of the post in the middle of a knob; the hand turns round it.
 constexpr double kKnobPostM = 0.0022, kKnobPostHighM = 0.005;
-// Height and width of the ridges between positions. Higher ridges would hold back the hand of a soft device by more
-// than a position.
+// Height and width of the ridges between positions. If the ridges were higher, they would hold back the hand of a soft
+// device by more than a position.
 constexpr double kRidgeHighM = 0.0002, kRidgeWideM = 0.0006;
 constexpr double kFriction = 0.1;  // friction of all surfaces; low, so that a slider or knob follows the hand easily
 constexpr double kListGapM = 0.002;

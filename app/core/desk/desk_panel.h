@@ -1,7 +1,8 @@
-// The touchable panel of the desk: upright, in front of the person, with the controls on it. It is built as a Scene and
-// compiled like any world. Each kind of control has its own shape, and each position of a slider or knob is between two
-// ridges. If there are too many controls, the panel has several pages, and the last place of each page is a button that
-// turns the pages. Device frame, hand metres: x right, y away from the person, z up. Pure functions; app thread.
+// Builds the touchable panel of the desk, which is upright in front of the person and carries the controls. The panel
+// is a Scene that is compiled like any world. Each kind of control has its own shape, and each position of a slider or
+// knob is between two ridges. If there are too many controls, the panel has several pages, and the last place of each
+// page is a button that turns the pages. Coordinates are in the device frame in hand metres: x right, y away from the
+// person, z up. Pure functions for the app thread.
 #pragma once
 
 #include <memory>
@@ -23,19 +24,21 @@ inline constexpr int kKnobDetents = 12;         // detents per whole turn of the
 
 // A control on the panel.
 struct PlacedControl {
-    std::optional<std::size_t> control;  // index in the desk; none: the button that turns the pages
-    FeatureId feature;                   // its feature in the panel's scene
+    // Index of the control in the desk; none: this is the button that turns the pages.
+    std::optional<std::size_t> control;
+    FeatureId feature;  // feature of the control in the panel's scene
     DeskKind kind = DeskKind::Button;
     int positions = 0;
     double x_m = 0.0, z_m = 0.0;  // coordinates of the control's middle
     double width_m = kControlM, height_m = kControlM;
     double face_y_m = 0.0;  // coordinate of the control's front
 
-    // For a slider: x_of() returns the x coordinate of a position. position_at() returns the position at an x
+    // Both are for a slider. x_of() returns the x coordinate of a position. position_at() returns the position at an x
     // coordinate, as a fraction between two positions.
     double x_of(int position) const;
     double position_at(double x_m) const;
-    // Returns the centre of the proxy when it touches the front at this offset from the control's middle.
+    // Returns the centre of the proxy when the proxy touches the front of the control, with this offset from the
+    // control's middle.
     Vec3 touch_m(double across_m = 0.0, double up_m = 0.0) const {
         return {x_m + across_m, face_y_m - kDeskBallM, z_m + up_m};
     }

@@ -16,7 +16,7 @@
 namespace handrail::core {
 namespace {
 
-// True for commands that work only while the world is running.
+// Returns true for commands that act only while the world is running.
 bool needs_world(Command command) {
     switch (command) {
         case Command::SwitchFrame:
@@ -57,8 +57,8 @@ void DeskVisit::furnish() {
         controls.push_back(bound(
             row, [this, &row] { return value_of(row.key); },
             [this, &row](const std::string& value) {
-                // The control announces the resulting value, so if the setting refuses a value, nothing else needs to
-                // be announced.
+                // The control announces the resulting value. If the setting refuses a value, that announcement shows
+                // it, so the error needs no announcement.
                 static_cast<void>(context_.asks.set(row.key, value, context_.tick_s));
             }));
     };
@@ -68,7 +68,8 @@ void DeskVisit::furnish() {
         one.value = std::move(value);
         controls.push_back(std::move(one));
     };
-    // The order of the controls: the knob comes after the volumes, and controls one cell wide come next to the sliders.
+    // This loop sets the order of the controls: the knob comes after the volumes, and controls one cell wide come next
+    // to the sliders.
     for (const DeskSetting& row : desk_settings()) {
         of_setting(row);
         if (row.key == "sound.earcon_volume") {
@@ -88,7 +89,7 @@ void DeskVisit::furnish() {
         one.pressed = std::move(pressed);
         controls.push_back(std::move(one));
     };
-    // Adds a control that selects an entry of a list of varying length. `at` never exceeds the list.
+    // Adds a control that selects an entry of a list of varying length. `at` always stays within the list.
     const auto list = [&](std::string name, std::size_t& at, const std::function<std::size_t()>& many,
                           std::function<std::string()> value) {
         DeskControl one;
@@ -116,7 +117,8 @@ void DeskVisit::furnish() {
         phrase("desk.units"),
         [this] { return phrase(context_.settings.speech.distances_in_steps ? "desk.steps" : "desk.metres"); },
         [this] { return switch_units(); });
-    // Shows only the first sentence of the report. The floor of a place is examined only once.
+    // Shows only the first sentence of the report. The call is cheap, because progress() examines the floor of a room
+    // only once.
     indicator(phrase("desk.explored"), [this] {
         if (!context_.world.scene) return phrase("desk.nothing_explored");
         std::string words = progress(context_.tick_s);
@@ -161,7 +163,7 @@ std::string DeskVisit::go_to_world() {
     return phrase("desk.going_to", {{"world", name_of_file(*file)}});
 }
 
-// Moves the beacon to the selected mark. If the beacon is already there, switches it off.
+// Moves the beacon to the selected mark. If the beacon is already there, this function switches it off.
 std::string DeskVisit::switch_beacon() {
     const Mark* chosen = mark();
     const std::optional<std::string> on = beacon();
@@ -181,8 +183,8 @@ std::string DeskVisit::switch_units() {
     return phrase(in_steps ? "desk.in_steps" : "desk.in_metres");
 }
 
-// Returns the value in TOML syntax. A scale chosen at the desk counts at once, even though it waits until the hand has
-// left the desk.
+// Returns the value in TOML syntax. It returns a scale chosen at the desk at once, even though the scale changes only
+// when the hand has left the desk.
 std::string DeskVisit::value_of(std::string_view key) const {
     if (key == "workspace.scale" && scale_waits_) return *scale_waits_;
     if (key == "workspace.scale" && context_.hands.named_scale && context_.world.scene)

@@ -1,4 +1,4 @@
-// Short answers: directions of one or two words, and texts that are shortened to a number of words by leaving out
+// Makes short answers: directions of one or two words, and texts that are shortened to a number of words by leaving out
 // sentences. Pure functions.
 #pragma once
 
@@ -19,8 +19,8 @@ std::string brief_place_words(double distance_m, double bearing_rad, double head
 
 // Returns the number of words, which are separated by blanks.
 std::size_t count_words(std::string_view text);
-// Joins sentences up to `most` words in total. The first one is always included. A sentence that is too long is left
-// out, but shorter ones after it may still follow.
+// Joins sentences up to `most` words in total. The first sentence is always included. A sentence that is too long is
+// left out, but shorter sentences after it may still be included.
 std::string brief_text(const std::vector<std::string>& sentences, std::size_t most);
 
 }  // namespace handrail::core

@@ -10,10 +10,10 @@
 namespace handrail::core {
 namespace {
 
-// The keys for the arrows, PageUp, PageDown, F, Home and Escape come from the walking demo of Handrail's predecessor, a
-// plugin. Their meanings never change.
+// The keys for the arrows, PageUp, PageDown, F, Home and Escape come from the walking demo of a plugin that preceded
+// Handrail. Their meanings never change.
 constexpr std::array kCommands{
-    // Walking and learning a place.
+    // The following commands walk and learn a place.
     CommandInfo{Command::Forward, "forward", "Up", true},
     CommandInfo{Command::Back, "back", "Down", true},
     CommandInfo{Command::TurnLeft, "left", "Left", true},
@@ -22,7 +22,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::SideRight, "side-right", "Alt+D", true},
     CommandInfo{Command::TiltUp, "tilt-up", "PageUp", true},
     CommandInfo{Command::TiltDown, "tilt-down", "PageDown", true},
-    // Force, frame, scale and workspace.
+    // The following commands change force, frame, scale and workspace.
     CommandInfo{Command::ToggleForces, "forces", "F Grave", false},
     CommandInfo{Command::SwitchFrame, "frame", "F4", false},
     CommandInfo{Command::ScaleBuilding, "building", "F5", false},
@@ -39,7 +39,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::WorkspaceTurnRight, "workspace-turn-right", "Period", false},
     CommandInfo{Command::WorkspaceCentre, "workspace-centre", "N", false},
     CommandInfo{Command::Grab, "grab", "M", false},
-    // Questions.
+    // The following commands ask questions.
     CommandInfo{Command::WhereAmI, "where", "F2 1", false},
     CommandInfo{Command::Heading, "heading", "C", false},
     CommandInfo{Command::AroundMe, "around", "2", false},
@@ -64,7 +64,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::Home, "home", "Home", false},
     CommandInfo{Command::BringOut, "out", "G", false},
     CommandInfo{Command::LastPlace, "last-place", "Control+0", false},
-    // Rooms, routes and movable things.
+    // The following commands concern rooms, routes and movable things.
     CommandInfo{Command::Use, "use", "Enter", false},
     CommandInfo{Command::PutBack, "put-back", "Alt+Backspace", false},
     CommandInfo{Command::DropMark, "mark", "Insert Shift+M", false},
@@ -86,7 +86,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::Ways, "ways", "Control+7", false},
     CommandInfo{Command::KeepWay, "keep-way", "Control+8", false},
     CommandInfo{Command::PlanView, "plan", "F3", false},
-    // Help and settings.
+    // The following commands concern help and settings.
     CommandInfo{Command::Menu, "menu", "Tab", false},
     CommandInfo{Command::Help, "help", "F1", false},
     CommandInfo{Command::InputHelp, "input-help", "Shift+F1", false},

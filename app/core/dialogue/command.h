@@ -1,5 +1,5 @@
-// Everything a person can request by key, terminal line, scenario or device button. All kinds of input use this one
-// list, so each of them can do everything.
+// Lists everything that a person can request by key, terminal line, scenario or device button. All kinds of input use
+// this one list, so each of them can request every command.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace handrail::core {
 
 enum class Command : std::uint8_t {
-    // Walking and learning a place.
+    // The following commands walk and learn a place.
     Forward,
     Back,  // a tap makes one step, and a held key keeps walking
     TurnLeft,
@@ -22,9 +22,9 @@ enum class Command : std::uint8_t {
     SideRight,
     TiltUp,
     TiltDown,
-    // Force, frame, scale and workspace.
+    // The following commands change force, frame, scale and workspace.
     ToggleForces,
-    SwitchFrame,  // switches between Map and Walk
+    SwitchFrame,  // switches between the Map frame and the Walk frame
     ScaleBuilding,
     ScaleFloor,
     ScaleRoom,
@@ -38,8 +38,8 @@ enum class Command : std::uint8_t {
     WorkspaceTurnLeft,
     WorkspaceTurnRight,
     WorkspaceCentre,  // brings the workspace back to the walker
-    Grab,             // the hand moves the world until the key is pressed again
-    // Questions.
+    Grab,             // the hand moves the world until the person presses the key again
+    // The following commands ask questions.
     WhereAmI,
     Heading,
     AroundMe,   // announces one thing for each quarter of the circle
@@ -47,12 +47,12 @@ enum class Command : std::uint8_t {
     Lost,       // turns to the nearest wall; announces the room and the route to the last known place
     Describe,   // opens a list of rooms; for the chosen one, announces size, exits and things by wall
     Overview,   // describes the building in three sentences
-    Storeys,    // opens a list of storeys, and offers the lift or the route to the chosen one
+    Storeys,    // opens a list of storeys; for the chosen one, offers the lift or the route
     LookNext,   // announces what is in the next of 16 directions, or where the hand points
     LookBefore,
     ScaleBar,     // announces the scale and where north is
-    Simplified,   // opens a list of what is too small at this scale, so that it feels different from the truth
-    Understood,   // opens a list of what was understood of the world's file, and of what somebody should check
+    Simplified,   // opens a list of what is too small to be rendered truly at this scale
+    Understood,   // opens a list of what the reader understood of the world's file, and of what somebody should check
     Faults,       // opens a list of errors that somebody should correct in this world
     Coordinates,  // announces the position, with the height above the floor
     WhatIsThis,   // names what the hand touches
@@ -63,13 +63,13 @@ enum class Command : std::uint8_t {
     StopEverything,  // F12; stops all force and sound
     Home,
     BringOut,   // moves the hand or the walker out of the solid that contains it
-    LastPlace,  // returns to where the person was in a session that ended without being left
-    // Rooms, routes and movable things.
-    Use,  // opens or shuts a door, or presses a button, whichever the hand touches or the walker stands before
+    LastPlace,  // returns to the last known place of an earlier session that ended without the Leave command
+    // The following commands concern rooms, routes and movable things.
+    Use,  // opens or shuts a door, or presses a button, that the hand touches or the walker stands before
     PutBack,
     DropMark,
     DeleteMark,  // the person chooses the mark from a list
-    Marks,       // opens a list of marks, and offers a beacon and guidance to the chosen one
+    Marks,       // opens a list of marks; offers a beacon and guidance for the chosen one
     SetBeacon,   // puts the beacon on what the hand touches, on what is ahead, or on a chosen mark
     MuteBeacon,
     TakeMe,  // guides the hand to the chosen thing; a second press ends the guidance
@@ -86,21 +86,21 @@ enum class Command : std::uint8_t {
     Ways,      // opens a list of the saved routes
     KeepWay,   // saves the route planned or walked last under a name
     PlanView,
-    // Help and settings.
+    // The following commands concern help and settings.
     Menu,  // opens a list of everything that can be done
     Help,
     InputHelp,  // switches the mode in which a key announces its meaning and does nothing else
     Lessons,
-    FirstMinutes,  // begins the introduction that the first start of the program gives
-    Task,          // repeats the task of an instructor's lesson; without a lesson, opens a list to begin or prepare one
-    TaskDone,      // the learner reports that the task is done, or answers its question by facing or pointing there
-    Learners,      // requests a list of learners from the owner of the session
+    FirstMinutes,  // begins the introduction, which also runs at the first start of the program
+    Task,      // repeats the task of the instructor's lesson; if no lesson runs, opens a list to begin or prepare one
+    TaskDone,  // the learner reports that the task is done, or answers its question by facing or pointing there
+    Learners,  // requests a list of learners from the owner of the session
     Language,
     Devices,  // opens a list of the connected devices and their uses
     NextSound,
     LastSound,  // LastSound and NextSound step through the sound dictionary, which names and plays one sound at a time
     VerbosityCycle,
-    // Walking by ear.
+    // The following commands are for walking by ear.
     TrailLeft,
     TrailRight,
     TrailOn,
@@ -113,7 +113,7 @@ enum class Command : std::uint8_t {
     FreeLeft,
     FreeRight,
     Callouts,
-    // Learning a place.
+    // The following commands are for learning a place.
     Unexplored,
     ProgressReport,
     LearnPlace,
@@ -121,8 +121,8 @@ enum class Command : std::uint8_t {
     Hunt,
     Labyrinth,  // announces the state of the game, in a world that is a labyrinth
     Calibrate,  // begins the set-up by voice, which the owner of the device runs
-    Leave,      // Escape: asks for confirmation at the top level
-    // Move the target of the simulated hand from the keyboard, if there is no device.
+    Leave,      // Escape; at the top level, asks the person to confirm
+    // The following commands move the target of the simulated hand, if there is no device.
     HandForward,
     HandBack,
     HandLeft,
@@ -133,8 +133,8 @@ enum class Command : std::uint8_t {
     Desk,  // opens the controls of the person's desk as a list for keys
 };
 
-// A row of the key table: a command with its word for terminals and scenarios, and its default keys. The line of help
-// comes from settings/languages.
+// A row of the key table: a command with its word for terminals and scenarios, and its default keys. The command's help
+// text is in settings/languages.
 struct CommandInfo {
     Command command;
     std::string_view word;     // the word that a person types: "where"
@@ -143,7 +143,7 @@ struct CommandInfo {
     std::string help() const;  // returns one sentence in the language spoken now
 };
 
-std::span<const CommandInfo> command_table();  // in the order of the enum Command
+std::span<const CommandInfo> command_table();  // the rows are in the order of the enum Command
 const CommandInfo* find_command(std::string_view word);
 const CommandInfo& info(Command command);
 
@@ -151,10 +151,10 @@ constexpr bool is_one_of(Command command, std::initializer_list<Command> command
     return std::find(commands.begin(), commands.end(), command) != commands.end();
 }
 
-// True for commands that make one step or one notch of a turn.
+// Returns true for commands that make one step or one notch of a turn.
 bool steps_or_turns(Command command);
 
-// How a command behaves while a list is open.
+// What a command does while a list is open.
 enum class InList : std::uint8_t {
     Waits,     // the command does nothing until the list is closed
     Answered,  // a question, which is answered while the list stays open

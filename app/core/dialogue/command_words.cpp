@@ -26,7 +26,7 @@ std::string plain(std::string_view word) {
     return text;
 }
 
-// True if `word`, in the form of plain_word(), is one of the blank-separated `words`.
+// Returns true if `word` is one of the blank-separated `words`. `word` must have the form that plain_word() returns.
 bool is_among(std::string_view word, const std::string& words) {
     for (std::size_t begin = 0; begin < words.size();) {
         const std::size_t end = std::min(words.find(' ', begin), words.size());

@@ -32,7 +32,7 @@ bool begins_with(const std::string& name, const std::string& begin) {
     return !begin.empty() && lower_ascii(name).starts_with(begin);
 }
 
-// True if any word of the name except the first begins with `begin`.
+// Returns true if any word of the name except the first begins with `begin`.
 bool holds_word(const std::string& name, const std::string& begin) {
     const std::string lower = lower_ascii(name);
     for (std::size_t at = lower.find(begin); at != std::string::npos; at = lower.find(begin, at + 1))
@@ -40,7 +40,7 @@ bool holds_word(const std::string& name, const std::string& begin) {
     return false;
 }
 
-// True if `typed` is the item's also_typed text. The question mark may be missing.
+// Returns true if `typed` is the item's `also_typed` text. The person may omit the question mark.
 bool is_also_called(const ListItem& item, std::string_view typed) {
     if (typed.ends_with('?')) typed.remove_suffix(1);
     return !item.also_typed.empty() && is_called(item.also_typed, typed);
@@ -53,8 +53,8 @@ std::size_t item_called(const ListSpec& list, std::string_view typed) {
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(typed.data(), typed.data() + typed.size(), number);
     const bool is_number = error == std::errc{} && end == typed.data() + typed.size();
-    // Platforms and rooms may have numbers as names. A name wins over the number of an item, because the person has
-    // heard the name.
+    // Platforms and rooms may have numbers as names. A name is preferred to the number of an item, because the person
+    // has heard the name.
     for (std::size_t i = 0; is_number && i < list.items.size(); ++i)
         if (list.items[i].name == typed) return i;
     if (is_number && number >= 1 && number <= list.items.size()) return number - 1;
@@ -124,7 +124,7 @@ bool Dialogue::typing() const { return is_open() && std::holds_alternative<TextS
 
 std::string Dialogue::item_words(const ListSpec& list) const {
     const ListItem& item = list.items[list.at];
-    // Keeps two numbers apart, for example by a semicolon: "Room 3; 12 steps, 4 of 28".
+    // If one part ends and the next begins with a digit, a semicolon separates them: "Room 3; 12 steps, 4 of 28".
     const auto ends_in_digit = [](const std::string& text) {
         return !text.empty() && text.back() >= '0' && text.back() <= '9';
     };
@@ -173,7 +173,8 @@ DialogueReply Dialogue::list_key(ListSpec& list, std::string_view name, double n
     else if (name == "Space" && search_goes_on(now_s)) return typed(" ", now_s);
     else if (name == "Space") return {true, false, item_words(list)};
     else if (name == "F1") return {true, false, phrase("dialogue.help_list")};
-    // Letters arrive as typed characters, and no other key has an effect in the world while a list is open.
+    // Letters arrive as typed characters. While a list is open, every other key is ignored, so that it does not act in
+    // the world.
     else return {true, false, {}};
     search_.clear();
     return {true, list.at == was, item_words(list)};
@@ -242,7 +243,7 @@ DialogueReply Dialogue::typed(std::string_view utf8, double now_s) {
     auto& list = std::get<ListSpec>(*stack_.back());
     const std::string letters = lower_ascii(utf8);
     // A blank arrives twice: first as a key, then as a character. The key has already repeated the item or continued
-    // the name.
+    // the name, so the character is ignored.
     if (letters == " " && (!search_goes_on(now_s) || search_.ends_with(' '))) return {true, false, {}};
     const bool goes_on = search_goes_on(now_s) && search_ != letters;
     search_ = goes_on ? search_ + letters : letters;
@@ -254,7 +255,8 @@ bool Dialogue::search_goes_on(double now_s) const { return !search_.empty() && n
 DialogueReply Dialogue::search(ListSpec& list, bool goes_on, double now_s) {
     searched_s_ = now_s;
     // While the person continues a word, the search may stay at the present item. A first letter begins the search at
-    // the next item. Names that begin with the letters win over names in which a later word begins with them.
+    // the next item. Names that begin with the letters come first, then names in which a later word begins with the
+    // letters.
     for (const auto fits : {begins_with, holds_word})
         for (std::size_t step = goes_on ? 0 : 1; step <= list.items.size(); ++step) {
             const std::size_t i = (list.at + step) % list.items.size();
@@ -292,7 +294,8 @@ DialogueReply Dialogue::line(std::string_view text, double now_s) {
     if (auto done = as_key(word)) return *done;
     const std::size_t found = item_called(*list, text);
     if (found == list->items.size()) {
-        // Item names win over the spoken language's words for keys, because both may begin with the same letters.
+        // Item names are tried before the spoken language's words for keys, because both may begin with the same
+        // letters.
         if (auto done = as_key(list_word(text))) return *done;
         return {true, true, phrase("dialogue.not_in_list", {{"typed", text}})};
     }

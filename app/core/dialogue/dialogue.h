@@ -1,7 +1,8 @@
-// Lists to choose from and questions to answer by typing a line. All features use these two kinds, which work alike in
-// speech, in the terminal, in the window and for screen readers. They form a stack: when a list that opened over
-// another is left, the other list returns. Plain state without a clock or a world. Each function returns the text to
-// announce, and calls the functions that the caller gave for a choice. App thread only.
+// Shows lists to choose from, and questions that the person answers by typing a line. All features use these two kinds,
+// which behave alike in speech, in the terminal, in the window and for screen readers. They form a stack: when the
+// person leaves a list that opened over another list, the other list returns. Plain state without a clock or a world.
+// Each function returns the text to announce, and calls the functions that the caller gave for a choice. Use it on the
+// app thread only.
 #pragma once
 
 #include <functional>
@@ -34,16 +35,16 @@ struct ListSpec {
     std::string title;
     std::vector<ListItem> items;
     std::size_t at = 0;                       // index of the selected item
-    std::function<void(std::size_t)> chosen;  // called for Enter
+    std::function<void(std::size_t)> chosen;  // called when the person presses Enter
     std::function<std::string(std::size_t, int)>
         adjusted{};  // Called by Left (-1) and Right (+1) on an adjustable item; returns the new value in words.
     // Sets the quantity of an item to a number; returns the new value in words.
     std::function<std::string(std::size_t, double)> put{};
-    std::function<void()> left{};  // called for Escape
+    std::function<void()> left{};  // called when the person presses Escape
     bool stays_open = false;       // false: Enter closes this list and all lists under it before it calls `chosen`
 };
 
-// A question that the person answers by typing a text of at most kLongestTyped bytes of UTF-8. Surrounding blanks are
+// A question that the person answers by typing a text of at most kLongestTyped bytes of UTF-8. Blanks at both ends are
 // removed. An empty text is not accepted.
 struct TextSpec {
     std::string question;
@@ -60,7 +61,7 @@ struct DialogueView {
     std::vector<ListItem> items;
     std::size_t at = 0;
     std::string text;   // text typed until now
-    std::string where;  // announcement for the selected item or the question
+    std::string where;  // announcement of the selected item or of the question
 
     bool operator==(const DialogueView&) const = default;
 };
@@ -99,21 +100,22 @@ public:
     bool typing() const;
     void close_all() { stack_.clear(); }
 
-    // Handles a key that was pressed or that repeats while it is held. `name` is the name of the key.
+    // Processes a key that was pressed or that repeats while it is held. `name` is the name of the key.
     DialogueReply key(std::string_view name, double now_s);
-    // Handles characters from the keyboard layout. In a list, they search for a name that begins with them.
+    // Processes characters from the keyboard layout. In a list, they search for a name that begins with them.
     DialogueReply typed(std::string_view utf8, double now_s);
-    // Handles a line typed in a terminal. For a question, the line is the answer. In a list, the line may be:
+    // Processes a line typed in a terminal. For a question, the line is the answer. In a list, the line may be:
     // - the name of a key (down, up, home, end, enter, escape, left, right, backspace),
     // - "list", which announces all items,
     // - the number of an item, the beginning of its name, or its `also_typed`.
     DialogueReply line(std::string_view line, double now_s);
 
-    // True if the line `typed` would choose an item of the open list by number or name. If `by_all` is set, only the
-    // complete name counts. Otherwise the beginning of the name or of a word in it is enough.
+    // Returns true if the line `typed` would choose an item of the open list by number or name. If `by_all` is set,
+    // `typed` must be the complete name. Otherwise the beginning of the name or of a word in the name is enough.
     bool holds(std::string_view typed, bool by_all = false) const;
 
-    // True if the open list would accept this line as the name of a key, as "list", or as the choice of an item.
+    // Returns true if the open list would accept this line as the name of a key, as "list", or as the choice of an
+    // item.
     bool has_use_for(std::string_view line) const;
 
     DialogueReply act(const ItemAct& act, double now_s);
@@ -123,13 +125,14 @@ public:
     void change_items(std::vector<ListItem> items);
 
     DialogueView view() const;
-    // Announces the selected item, or the question and its text. Empty if nothing is open.
+    // Returns the announcement of the selected item, or of the question and its text. Returns an empty text if nothing
+    // is open.
     std::string where() const;
 
 private:
     using Part = std::variant<ListSpec, TextSpec>;
     DialogueReply list_key(ListSpec& list, std::string_view name, double now_s);
-    // True if the next character would continue the name that the person is typing.
+    // Returns true if the next character would continue the name that the person is typing.
     bool search_goes_on(double now_s) const;
     DialogueReply search(ListSpec& list, bool goes_on, double now_s);
     DialogueReply text_key(TextSpec& question, std::string_view name);
@@ -142,7 +145,7 @@ private:
     // Returns the announcement when a list or question is on top again.
     std::string back_words() const;
 
-    // Pointers, so that each list or question keeps its address while others open over it.
+    // Each list or question is stored behind a pointer, so that it keeps its address while others open over it.
     std::vector<std::unique_ptr<Part>> stack_;
     std::string search_;
     double searched_s_ = -1e9;

@@ -1,4 +1,4 @@
-// The commands whose keys are held down now. Plain state; app thread only.
+// Stores the commands whose keys are held down now. Plain state for the app thread only.
 #pragma once
 
 #include <algorithm>

@@ -57,8 +57,8 @@ KeyMap::KeyMap(const std::map<std::string, std::string>& changes, settings::Keyb
         by_command_[static_cast<std::size_t>(row->command)] = words_of(keys);
         std::erase(by_command_[static_cast<std::size_t>(row->command)], "none");
     }
-    // The person's own keys are claimed first, so they win over the default keys of other commands. The key set for one
-    // hand comes next, and it may take keys from other commands.
+    // The person's own keys are claimed first, so they are preferred to the default keys of other commands. The key set
+    // for one hand is claimed next, and may replace the keys of other commands.
     const auto claim = [&](const CommandInfo& row) {
         for (const std::string& key : by_command_[static_cast<std::size_t>(row.command)]) {
             const auto [held, fresh] = by_key_.emplace(lower_ascii(key), row.command);

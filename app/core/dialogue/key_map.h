@@ -1,4 +1,5 @@
-// The map from keys to commands: the built-in table, overridden by the person's own keys from the settings. App thread.
+// Maps keys to commands with the built-in table, which the person's own keys from the settings override. Use it on the
+// app thread only.
 #pragma once
 
 #include <map>
@@ -13,15 +14,15 @@
 
 namespace handrail::core {
 
-// Returns the name of a key in the language spoken: "Shift+PageUp", "Umschalt+Bild auf". A person types, and settings
-// store, `key_name` itself.
+// Returns the name of a key in the language spoken: "Shift+PageUp", "Umschalt+Bild auf". `key_name` is the name that a
+// person types and that settings store.
 std::string spoken_key(std::string_view key_name);
 
 class KeyMap {
 public:
     // `changes` maps the word of a command to key names separated by blanks, which replace the command's default keys.
     // The key name "none" removes all keys. `hand` selects the set of keys for one hand, which overrides the built-in
-    // table. `changes` override that set.
+    // table. `changes` overrides that set.
     explicit KeyMap(const std::map<std::string, std::string>& changes,
                     settings::KeyboardHand hand = settings::KeyboardHand::Both);
 

@@ -39,7 +39,7 @@ Result<TerminalLine> command_line_of(std::string_view line) {
     return parsed;
 }
 
-// True for a line of several words without a number, which cannot be a command with a bad count.
+// Returns true for a line of several words without a number. Such a line cannot be a command with a bad count.
 bool is_sentence(std::string_view line) {
     return line.find_first_of(" \t") != std::string_view::npos &&
            line.find_first_of("0123456789") == std::string_view::npos;
@@ -51,7 +51,8 @@ Result<TerminalLine> parse_terminal_line(std::string_view line) {
     line = trimmed(line);
     if (line.empty()) return TerminalLine{};
     Result<TerminalLine> parsed = command_line_of(line);
-    // A whole sentence is tried before a choice: "find my way to the kitchen" must not search for a thing of that name.
+    // The line is tried as a whole sentence before it is tried as a word with a choice: "find my way to the kitchen"
+    // must not search for a thing of that name.
     if (!parsed || !parsed->choice.empty())
         if (auto said = typed_sentence(line)) return TerminalLine{said->command, said->times, std::move(said->choice)};
     if (parsed) return parsed;

@@ -11,7 +11,7 @@
 
 namespace handrail::core {
 
-// The meaning of a line: a command that is to be done `times` times, or leaving.
+// The meaning of a line: a command that is to be done `times` times, or the wish to leave.
 struct TerminalLine {
     std::optional<Command> command;  // none: an empty line
     int times = 1;                   // 5 for "forward 5"

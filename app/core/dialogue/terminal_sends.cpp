@@ -9,7 +9,7 @@
 namespace handrail::core {
 namespace {
 
-// Key names in lower case, because a person may write them in any case.
+// The key names are in lower case, because a person may write them in upper or lower case.
 constexpr std::array<std::string_view, 11> kSigns{"grave",        "minus",     "equal",     "leftbracket",
                                                   "rightbracket", "backslash", "semicolon", "apostrophe",
                                                   "comma",        "period",    "slash"};

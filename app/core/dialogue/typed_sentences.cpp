@@ -15,7 +15,7 @@ constexpr std::string_view kCount = "<count>", kName = "<name>";
 constexpr std::size_t kLongestSentence = 200;  // a line longer than this is not a sentence
 
 struct TypedWord {
-    std::string plain;    // form of the word that is compared
+    std::string plain;    // the word in the form in which words are compared
     std::string written;  // the word as the person typed it
 };
 
@@ -43,7 +43,7 @@ struct SmallWords {
                            numbers = typed_words(phrase("typed.numbers"));  // number words, from "one" upwards
 };
 
-// Returns the index of `plain` among the words, from 0.
+// Returns the index of `plain` among `words`, or no value if `words` does not contain it.
 std::optional<std::size_t> place_among(const std::vector<TypedWord>& words, const std::string& plain) {
     for (std::size_t i = 0; i < words.size(); ++i)
         if (words[i].plain == plain) return i;
@@ -73,8 +73,8 @@ std::string name_from(const std::vector<TypedWord>& words, std::size_t first, co
     return text;
 }
 
-// True if the words fit the pattern. A name is the last element of a pattern and takes all remaining words. Polite
-// words may be anywhere before it.
+// Returns true if the words fit the pattern. A name is the last element of a pattern and stands for all remaining
+// words. Polite words may be anywhere before the name.
 bool fits(const std::vector<TypedWord>& pattern, const std::vector<TypedWord>& words, const SmallWords& small,
           TypedSentence& said) {
     std::size_t at = 0;
@@ -108,7 +108,7 @@ void each_pattern(const std::string& text, const SmallWords& small, Visit visit)
     }
 }
 
-// Returns the command whose hyphenated word, such as "rest-of-way", was typed as separate words.
+// Returns the command whose hyphenated word, such as "rest-of-way", the person typed as separate words.
 std::optional<Command> command_apart(const std::vector<TypedWord>& words) {
     std::string all;
     for (const TypedWord& word : words) all += (all.empty() ? "" : "-") + word.plain;
@@ -130,7 +130,8 @@ std::optional<TypedSentence> typed_sentence(std::string_view line) {
     std::vector<TypedWord> words = typed_words(line);
     drop_politeness(words, small);
     if (words.empty()) return std::nullopt;
-    // A pattern without a name wins over one with a name. Among patterns with a name, the longest wins.
+    // A pattern without a name is preferred to a pattern with a name. Among patterns with a name, the longest is
+    // preferred.
     std::optional<TypedSentence> whole, with_name;
     std::size_t longest = 0;
     for (const CommandInfo& row : command_table()) {

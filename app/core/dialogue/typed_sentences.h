@@ -1,6 +1,6 @@
-// Whole sentences that people type if they do not know the words of the commands: "where am I", "take me to the
-// kitchen", "turn left three times". settings/languages lists them under typed_sentence, with one text for each
-// command. Pure functions of the language spoken; any thread except the servo's.
+// Interprets whole sentences, which people type if they do not know the words of the commands: "where am I", "take me
+// to the kitchen", "turn left three times". settings/languages lists the sentences under typed_sentence, with one text
+// for each command. Pure functions of the language spoken, which any thread except the servo's may call.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ inline constexpr int kMostTimes = 1000;  // most repetitions that a person can t
 // may be words.
 std::optional<TypedSentence> typed_sentence(std::string_view line);
 
-// True if the command opens a list of places in which the person can choose by name.
+// Returns true if the command opens a list of places in which the person can choose by name.
 bool takes_choice(Command command);
 
 // Removes leading words such as "to" and "the" from the name that a person typed to choose a thing. Returns the whole

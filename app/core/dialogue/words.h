@@ -1,5 +1,5 @@
-// Numbers, distances and directions in spoken words. Every distance and direction that is announced comes from these
-// functions. Pure functions.
+// Puts numbers, distances and directions into spoken words. Every distance and direction that is announced comes from
+// these functions. Pure functions.
 #pragma once
 
 #include <string>
@@ -17,10 +17,10 @@ struct DistanceWords {
 };
 
 // Returns a distance in words: "5 steps", "1 step", or "close by" below half a step. Metres are rounded to half a
-// metre: "3.5 metres". Above 20, steps and metres are rounded to multiples of 5. If the person wants exact values: "4.7
-// steps", "3.4 metres".
+// metre: "3.5 metres". Above 20, steps and metres are rounded to multiples of 5. If the person wants exact values, the
+// distance is not rounded in this way: "4.7 steps", "3.4 metres".
 std::string distance_words(double distance_m, const DistanceWords& how);
-// True if distance_words() returns "close by" for this distance.
+// Returns true if distance_words() returns "close by" for this distance.
 bool is_close_by(double distance_m, const DistanceWords& how);
 // Returns the size of a room or area: "6 by 4 metres, 9 by 6 steps".
 std::string size_words(double width_m, double depth_m, const DistanceWords& how);
@@ -29,7 +29,7 @@ std::string size_words(double width_m, double depth_m, const DistanceWords& how)
 std::string direction_words(double bearing_rad, double heading_rad, settings::DirectionChoice choice,
                             bool rounded = true);
 // Returns the turn from `heading_rad` to `bearing_rad` in degrees as it is announced, positive to the right. 0 is
-// ahead, 180 is behind. Rounded to 5 degrees, or to one degree if `rounded` is false.
+// ahead, 180 is behind. The turn is rounded to 5 degrees, or to one degree if `rounded` is false.
 double told_turn_deg(double bearing_rad, double heading_rad, bool rounded = true);
 // Returns the hour, 1 to 12, that a turn in radians points to on a clock face lying in front of the person. Positive
 // turns are to the right; 12 is ahead.
