@@ -49,9 +49,9 @@ std::string fine_compass_word(double heading_rad);
 std::string minutes_words(double seconds);
 // Returns "I found a Falcon." or "I found an omega." for a device with this name.
 std::string found_words(std::string_view name);
-// Joins two labels with a comma: "north wall, plaster". One of them may be empty.
+// Joins two labels with a comma: "north wall, plaster". If one of them is empty, returns the other one.
 std::string joined(std::string_view one, std::string_view other);
-// Makes the first letter upper case, for the start of a sentence.
+// Changes the first letter of `text` to upper case, for the start of a sentence.
 std::string sentence_case(std::string text);
 
 // Wraps an angle into (-pi, pi].

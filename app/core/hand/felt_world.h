@@ -1,6 +1,6 @@
 // Prepares a world for the hand at one scale: plans the simplifications, applies them, rounds edges and compiles the
-// result. Pure functions; any thread. They may take seconds, so the session runs them as a background task. Until the
-// task is done, the hand feels the previous scene.
+// result. Pure functions, which any thread may call. They may take seconds, so the session runs them as a background
+// task. Until the task is done, the hand feels the previous scene.
 #pragma once
 
 #include <memory>
@@ -16,19 +16,19 @@ namespace handrail::core {
 
 struct FeltOrder {
     std::shared_ptr<const Scene> scene;
-    int edit = 0;  // increases whenever something is added to or removed from the world
-    std::optional<compile::SimplifyOptions> simplify;  // none: nothing is simplified
-    OpenPortals portals;                               // the openings in `simplify` belong to these portals
+    int edit = 0;  // number of changes to the world: it increases whenever something is added or removed
+    std::optional<compile::SimplifyOptions> simplify;  // how to simplify; none: nothing is simplified
+    OpenPortals portals;                               // the portals to which the openings in `simplify` belong
     double world_m_per_hand_m = 1.0, ball_diameter_hand_m = 0.0, edge_rounding_hand_mm = 0.0;
-    double mesh_tolerance_hand_mm = 0.0;  // tolerance for simplifying dense meshes; 0: they stay as they are
+    double mesh_tolerance_hand_mm = 0.0;  // tolerance for simplifying dense meshes; 0: dense meshes are not simplified
     std::uint32_t world = 0;              // value for HapticScene::world
 
-    // True if both orders lead to a world that feels the same.
+    // Returns true if both orders lead to a world that feels the same.
     bool same_as(const FeltOrder& other) const;
 };
 
 struct FeltWorld {
-    // Null: the scene stays the same, because plan and rounding are unchanged.
+    // If null, the scene stays the same, because plan and rounding are unchanged.
     std::shared_ptr<const render::HapticScene> haptic;
     compile::Simplification plan;
     OpenPortals portals;
@@ -36,12 +36,12 @@ struct FeltWorld {
     std::vector<compile::CoarserMesh> coarser;
 };
 
-// Returns the radius for rounding edges. It is never more than the radius of the proxy; round_edges.h explains why
+// Returns the radius for rounding edges. The radius never exceeds that of the proxy. round_edges.h explains the reason
 // under "inner corners".
 double felt_rounding_m(double edge_rounding_hand_mm, double world_m_per_hand_m, double ball_radius_m);
 
-// Makes the world for `order`. If plan, rounding and tolerance are the same as in `before`, nothing is compiled again.
-// After a request to `stop`, the caller must ignore the result.
+// Makes the world for `order`. If plan, rounding and tolerance are the same as in `before`, compiles nothing. After a
+// request to `stop`, the caller must ignore the result.
 FeltWorld make_felt(const FeltOrder& order, const FeltWorld& before, const std::stop_token& stop);
 
 }  // namespace handrail::core

@@ -39,7 +39,7 @@ void Forces::toggle(double now_s) {
     context_.answer(phrase(wake ? "session.forces_on" : "session.forces_off"), now_s);
 }
 
-// Returns the answer to the force key while the cause that switched off the force persists.
+// Returns the announcement for a press of the force key while the cause that switched off the force persists.
 std::string Forces::why_none_yet() const {
     switch (hands_.tool.fault) {
         case servo::Fault::Unplugged:

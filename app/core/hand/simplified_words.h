@@ -1,4 +1,5 @@
-// Words for what was simplified for the hand at a scale, for a session and for reports. Pure functions; app thread.
+// Puts into words what was simplified for the hand at a scale, for a session and for reports. Pure functions for the
+// app thread.
 #pragma once
 
 #include <string>
@@ -16,8 +17,9 @@ struct OpenPortals {
     std::vector<Vec3> places_m;
 };
 OpenPortals open_portals(const navigation::RoomGraph& graph);
-// True if simplification needs the open portals at this scale. A walker fits through every portal of the room graph. So
-// the portals are not needed at a scale where the hand can feel an opening of the walker's own width.
+// Returns true if simplification needs the open portals at this scale. A walker fits through every portal of the room
+// graph. If the hand can feel an opening of the walker's own width at this scale, it also feels every portal. Then the
+// portals are not needed.
 bool asks_for_openings(double world_m_per_hand_m, double body_radius_m);
 
 // Returns "Simplified: 3 doorways widened, 12 small things left out.", or an empty text if nothing was simplified.

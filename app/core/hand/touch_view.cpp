@@ -33,8 +33,8 @@ void TouchView::change_world(double now_s) {
     felt_.give_up();
     ++edits_;
     retune();
-    // After a change, the hand feels dense meshes as they are. The background task that simplifies them again takes
-    // seconds.
+    // After a change, the hand feels dense meshes without simplification. The background task that simplifies them
+    // again takes seconds.
     mesh_tolerance_m_ = 0.0;
     coarser_.clear();
     const compile::CompileOptions options = compile::exploring(rounded_m_, haptic_->world);
@@ -65,7 +65,8 @@ void TouchView::retune() {
     tuning.touch.default_stiffness_fraction = settings.haptic.stiffness_fraction;
     tuning.touch.damping_ns_per_m = settings.haptic.damping_ns_per_m;
     tuning.button_to_feel = settings.haptic.button_to_feel;
-    tuning.touch.passivity_guard = true;  // the guard acts only on surfaces with too little damping
+    // The guard acts only on surfaces with too little damping, so it is always on.
+    tuning.touch.passivity_guard = true;
     tuning.touch.default_friction_static = tuning.touch.default_friction_kinetic = settings.haptic.friction_mu;
 
     if (hands_.right.present) tuning.touch.rated_stiffness_n_per_m = hands_.right.spec.rated_stiffness_n_per_m;
@@ -73,7 +74,7 @@ void TouchView::retune() {
     tuning.personal_space = settings.desk.use && hands_.right.present;
     tuning.workspace.rim = settings.workspace.rim;
     tuning.workspace.rim_open_behind = tuning.personal_space;
-    // The first button cannot grab the world if the hand feels only while that button is held.
+    // If the hand feels only while the first button is held, that button cannot also grab the world.
     const int button = settings.workspace.grab_button;
     tuning.workspace.grab_buttons =
         button == 0 || (button == 1 && settings.haptic.button_to_feel) ? 0U : 1U << (button - 1);
@@ -88,14 +89,14 @@ servo::ServoTuning TouchView::left_tuning() const {
     tuning.force_ceiling_n = ceiling_n(context_.settings, hands_.left);
     tuning.bodies.hold = hands_.left_bodies.hold;
     tuning.bodies.quarters = hands_.left_bodies.quarters;
-    // The grab key moves only the right hand's workspace; each hand has its own grab button.
+    // The grab key moves only the right hand's workspace. Each hand has its own grab button.
     tuning.workspace.grab_key = false;
     tuning.workspace.push_hand_m_per_s = Vec3(0.0);
-    tuning.personal_space = tuning.workspace.rim_open_behind = false;  // only the right hand can be at the desk
+    tuning.personal_space = tuning.workspace.rim_open_behind = false;  // Only the right hand can be at the desk.
     return tuning;
 }
 
-// Returns the simplification that the present scale requires.
+// Returns how the present scale requires the world to be simplified.
 TouchView::Wish TouchView::wish() {
     openings_awaited_ = false;
     if (!hands_.right.present || !context_.settings.haptic.simplify) return {};
@@ -163,7 +164,7 @@ double TouchView::farthest_m() const {
 }
 
 Vec3 TouchView::out_of_solids_m(const Vec3& hand_m) const {
-    // Share of the proxy's radius that must be free, so that a proxy resting on a surface fits.
+    // Share of the proxy's radius that must be free. It is less than 1, so that a proxy resting on a surface fits.
     constexpr double kTouching = 0.999;
     const auto poses = world_.things.frame().poses();
     const double radius_m = hands_.tuning.touch.radius_m;
@@ -174,9 +175,9 @@ Vec3 TouchView::out_of_solids_m(const Vec3& hand_m) const {
     return free ? *free - hand_m : Vec3(0.0);
 }
 
-// The two hands share one workspace, so freeing one hand may push the other into a solid. So the hands are freed
-// alternately. If no place fits both, the right hand decides, and the left hand passes through its solid until it is
-// out.
+// The two hands share one workspace, so freeing one hand may push the other into a solid. Therefore the hands are freed
+// alternately. If no place fits both hands, the right hand is freed, and the left hand passes through its solid until
+// it is out.
 Vec3 TouchView::out_of_solids_m(const Vec3& right_m, const Vec3& left_m) const {
     constexpr int kTurns = 6;
     const Vec3 alone_m = out_of_solids_m(right_m);

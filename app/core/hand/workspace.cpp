@@ -23,12 +23,12 @@ constexpr double kPushSpeed_hand_m_per_s = 0.03;  // speed of the workspace whil
 constexpr double kPushTap_s = 0.2;
 constexpr double kLowestLook_m = 0.2;
 
-// The hand counts as left behind if the walker does not see it and has moved on by kWalkedOn_m. If that lasts for
-// kLeftBehind_s, the workspace is brought to the walker.
+// If the walker does not see the hand and has moved on by kWalkedOn_m, the hand is left behind. If that lasts for
+// kLeftBehind_s, the workspace is moved to the walker.
 constexpr double kWalkedOn_m = 0.05;
 constexpr double kLeftBehind_s = 0.5;
 
-// Returns the direction of the pushing keys in the device frame. `sign` combines two opposite keys.
+// Returns the direction in the device frame in which the keys push the workspace. `sign` combines two opposite keys.
 template <class Sign>
 Vec3 workspace_keys(Sign sign) {
     return {sign(Command::WorkspaceRight, Command::WorkspaceLeft),
@@ -42,7 +42,7 @@ Vec3 hand_keys(Sign sign) {
             sign(Command::HandUp, Command::HandDown)};
 }
 
-// Returns a function like `sign` for a tap of this key alone.
+// Returns a function to use as `sign`, for which only the key `tapped` is down.
 auto tap_of(Command tapped) {
     return [tapped](Command plus, Command minus) { return tapped == plus ? 1.0 : tapped == minus ? -1.0 : 0.0; };
 }
@@ -50,8 +50,8 @@ auto tap_of(Command tapped) {
 }  // namespace
 
 bool Workspace::act(Command command, double now_s) {
-    // Without a hand, there is no workspace to change. The frame may still be switched, because it also affects words,
-    // and the simulated hand may still be moved.
+    // Without a hand, there is no workspace to change. The frame may still be switched, because the frame also affects
+    // words. The simulated hand may still be moved.
     if (!hands_.right.present && lays_workspace(command)) {
         context_.answer(phrase("session.no_hand"), now_s);
         return true;
@@ -119,8 +119,8 @@ Vec3 Workspace::origin_m() const {
         const Vec3 centre = bounds_m.centre_m();
         origin = Vec3(centre.x, centre.y, origin.z);
     } else if (!hands_.keys_alone) {
-        // If there is no device, the simulated hand is at the walker. Farther ahead, it would reach through the wall
-        // along which the person walks.
+        // If there is no device, the simulated hand is at the walker. If it were farther ahead, it would reach through
+        // the wall along which the person walks.
         origin += forward_of_heading(workspace_heading_rad(context_)) * (workspace.offset_ahead_m * scale(context_));
     }
     return origin + Vec3(0.0, 0.0, workspace.hand_height_m + workspace.offset_up_m * scale(context_));
@@ -179,7 +179,7 @@ void Workspace::zoom(NamedScale scale_name, double now_s) {
     change_under_hand(
         [&] {
             hands_.named_scale = scale_name;
-            // Only the scale Building moves the workspace: to the middle of the building.
+            // Only the scale Building moves the workspace to another place, which is the middle of the building.
             return scale_name != NamedScale::Building;
         },
         now_s);
@@ -255,7 +255,7 @@ void Workspace::take_touch(bool rooms_known, bool quietly, double now_s) {
     else context_.say(std::move(news), cues::SpeechClass::Ambient, now_s);
 }
 
-// Moves the hands out of solids that have appeared where the hands are.
+// Moves the hands out of solids that have appeared at the places of the hands.
 void Workspace::bring_hands_out(double now_s) {
     if (hands_.tool.ticks == 0) return;
     const Vec3 out = touch_.out_of_solids_m(hands_.tool.proxy_m, hands_.left_tool.proxy_m);
@@ -269,8 +269,8 @@ bool Workspace::goes_with_body() const {
            !hands_.at_desk();
 }
 
-// True if the walker sees this place from its height or from the height of the eyes, which is above most furniture. A
-// proxy partly inside a solid counts as visible, because a doorway may be rendered wider than it is.
+// Returns true if the walker sees this place from the height of the place itself or from eye height, which is above
+// most furniture. A proxy partly inside a solid is also visible, because a doorway may be rendered wider than it is.
 bool Workspace::body_sees(const Vec3& place_m) const {
     const Vec3 feet = context_.body.feet_m();
     const WalkerSize& body = context_.body.walker->size();
@@ -286,7 +286,8 @@ Vec3 Workspace::hand_in_m(const Vec3& origin_m) const {
     return servo::frame_of(origin_m, workspace_heading_rad(context_)).to_world(hands_.tool.hand_m, scale(context_));
 }
 
-// Returns the vector to the walker from where the hand would be without shifts. Zero if the walker sees that place.
+// Returns the vector to the walker from where the hand would be without shifts. Returns zero if the walker sees that
+// place.
 Vec3 Workspace::way_to_body_m() const {
     if (!goes_with_body()) return Vec3(0.0);
     const Vec3 hand = hand_in_m(origin_m()), feet = context_.body.feet_m();
@@ -306,7 +307,8 @@ void Workspace::stay_with_body(double now_s) {
         hands_.left_behind = false;
         return;
     }
-    if (hands_.tool.workspace_jump != hands_.pose.jump) return;  // the servo has not yet carried out the jump
+    // The servo has not yet carried out the jump, so the reported position of the hand is the old one.
+    if (hands_.tool.workspace_jump != hands_.pose.jump) return;
     const Vec3 feet = context_.body.feet_m();
     if (body_sees(hands_.tool.proxy_m)) {
         seen_from_m_ = feet;

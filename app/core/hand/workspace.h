@@ -1,5 +1,6 @@
-// The workspace of the hand in the world: its position, its scale and its orientation. This class also moves the
-// simulated hand by keys. App thread only. World metres, unless a name contains "device" or "hand".
+// Controls the workspace of the hand in the world: its position, its scale and its orientation. This class also moves
+// the simulated hand by keys. Use it on the app thread only. Lengths are in world metres, unless a name contains
+// "device" or "hand".
 #pragma once
 
 #include <functional>
@@ -15,7 +16,7 @@ namespace handrail::core {
 // Why the pose changed.
 // - Walked: the walker may have moved a little.
 // - Moved: the workspace jumps, beginning from where the hand had moved it.
-// - Placed: the workspace returns to its own place.
+// - Placed: the workspace returns to its place without shifts.
 enum class PoseChange { Walked, Moved, Placed };
 
 class Workspace : SessionPart {
@@ -24,67 +25,70 @@ public:
     Workspace(const SessionContext& context, HandsState& hands, const HeldKeys& keys, TouchView& touch)
         : SessionPart(context), hands_(hands), keys_(keys), touch_(touch) {}
 
-    // Poses for the only or right hand, and for the left hand. Each servo adds the shift by its own hand. These poses
-    // already contain the shift by the other hand.
+    // Return the poses for the only or right hand, and for the left hand. Each servo adds the shift by its own hand.
+    // These poses already contain the shift by the other hand.
     servo::WorkspacePose pose() const { return pose_beside(shift_of(hands_.left_tool)); }
     servo::WorkspacePose left_pose() const { return pose_beside(shift_of(hands_.tool)); }
-    // The present middle of the workspace, including the shifts by both hands.
+    // Returns the present middle of the workspace, including the shifts by both hands.
     Vec3 middle_m() const { return hands_.pose.origin_m + shift_by_hand_m(); }
 
-    // Handles the commands for the frame, the named scales, pushing, turning and grabbing, and the keys of the
+    // Carries out the commands for the frame, the named scales, pushing, turning and grabbing, and the keys of the
     // simulated hand. Returns false if the command belongs to another feature.
     bool act(Command command, double now_s);
     void publish(double now_s, PoseChange change);
     // Call it when the grab key is released.
     void let_go() { hands_.tuning.workspace.grab_key = false; }
-    // Call it when another device is used. Drops the shifts by the previous one.
+    // Drops the shifts by the previous device. Call it when another device is used.
     void take_hand();
-    // Call it when the person's settings have changed.
+    // Applies the person's settings. Call it when they have changed.
     void take_settings(double now_s);
     // Calls `change`, which changes scale, heading or the rendered scene. If `change` returns true, the point of the
-    // world under the hand stays there. If the hand would then be inside a solid, it is moved out.
+    // world under the hand stays under the hand. If the hand would then be inside a solid, it is moved out.
     void change_under_hand(const std::function<bool()>& change, double now_s);
 
-    // True while keys push the workspace.
+    // Returns true while keys push the workspace.
     bool pushed(double now_s) const { return push_way(now_s) != Vec3(0.0); }
-    // Moves the workspace while keys push it. Otherwise moves it by `carried_hand_m_per_s` (device frame), which is not
-    // zero if the guided hand must go beyond its reach.
+    // Moves the workspace while keys push it. If no key pushes it, moves it by the velocity `carried_hand_m_per_s` in
+    // the device frame. That velocity is not zero if the guided hand must go beyond its reach.
     void push(const Vec3& carried_hand_m_per_s, double now_s);
-    // True if no tap of a pushing key is still moving the workspace.
+    // Returns true if no tap of a pushing key is still moving the workspace.
     bool idle() const { return context_.tick_s >= push_until_s_; }
     // If a solid keeps the hand from following the walker, brings the workspace to the walker, announces that, and lets
-    // the force rise from zero. Until then, HandsState::left_behind is set. Does nothing if the workspace is at its own
-    // place: around the whole building, or at a fixed place. Call it once a tick, after walking.
+    // the force rise from zero. Until then, HandsState::left_behind is set. Does nothing if the workspace does not
+    // follow the walker: around the whole building, or at a fixed place. Call this function once a tick, after walking.
     void stay_with_body(double now_s);
     // Announces where the workspace has come to rest. Plays a sound when the workspace cannot move farther.
     void tell_motion(double now_s);
     // Renders the scene that a background task has made, and moves the hand out of any solid that has appeared at its
     // place. `quietly`: simplifications are not announced.
     void take_touch(bool rooms_known, bool quietly, double now_s);
-    // Call it for each other command. The answer to the last change of scale is then not continued.
+    // Ends the announcement of the last change of scale, so that the answer is not continued. Call this function for
+    // each command that other features carry out.
     void note_command() { scale_asked_s_.reset(); }
     // Moves the workspace to the nearest place where the proxy fits, because nothing can move the hand on the device.
     // Returns the distance in words, or an empty text if the proxy already fits. `middle_was_m` is the middle of the
-    // workspace when the hand's position was measured. `with_body`: the walker has just been brought out of a solid
-    // too, which also frees a hand that passes through its solid.
+    // workspace when the hand's position was measured. `with_body` is true if the walker has just been brought out of a
+    // solid too. This also frees a hand that passes through its solid.
     std::string bring_out(const Vec3& middle_was_m, bool with_body, double now_s);
 
     // Moves the target of the simulated hand by a vector in the device frame. The target stays within the hand's reach.
     void move_hand(const Vec3& by_device_m);
     void move_hand_by_keys(double dt_s);
-    const Vec3& hand_target_m() const { return hand_target_m_; }  // in the device frame
+    // Returns the target of the simulated hand in the device frame.
+    const Vec3& hand_target_m() const { return hand_target_m_; }
 
-    // Set by the session; called once each time the workspace comes to rest. Returns true if guidance of the hand has
-    // brought the workspace there, so that nothing is announced.
+    // The session sets this function. It is called once each time the workspace comes to rest. It returns true if
+    // guidance of the hand has brought the workspace there, so that nothing is announced.
     std::function<bool()> rests_untold;
-    // Set by the session. Returns true if the place is in the walker's room, as far as the rooms are known.
+    // The session sets this function. It returns true if the place is in the walker's room, as far as the rooms are
+    // known.
     std::function<bool(const Vec3& place_m)> in_room_of_body;
 
 private:
     Vec3 shift_of(const servo::ToolState& tool) const {
         return tool.workspace_jump == hands_.pose.jump ? tool.workspace_shift_m : Vec3(0.0);
     }
-    // How far the hands themselves have moved the workspace since the last jump of the pose.
+    // Returns how far the hands themselves have moved the workspace since the last jump of the pose.
     Vec3 shift_by_hand_m() const { return shift_of(hands_.tool) + shift_of(hands_.left_tool); }
     servo::WorkspacePose pose_beside(const Vec3& others_shift_m) const;
     Vec3 origin_m() const;
@@ -104,14 +108,16 @@ private:
     HandsState& hands_;
     const HeldKeys& keys_;
     TouchView& touch_;
-    Vec3 anchor_feet_m_{0.0};  // position of the workspace, as of a walker's feet, while it does not follow the walker
+    // Position of the workspace while it does not follow the walker; like the position of a walker's feet, at floor
+    // level.
+    Vec3 anchor_feet_m_{0.0};
     // Shift of the workspace since it was last placed, caused by moving out of a solid, by pushing, or by zooming under
     // the hand. The servo adds its own shift since the last jump.
     Vec3 shift_m_{0.0};
     Vec3 push_tap_{0.0};  // direction in which the last tap of a key pushes the workspace, until push_until_s_
     double push_until_s_ = -1.0;
     servo::WorkspaceMotion motion_told_ = servo::WorkspaceMotion::Still;
-    // Time of the last change of scale; its announcement continues once the hand feels the new scale.
+    // Time of the last change of scale. Its announcement continues once the hand feels the new scale.
     std::optional<double> scale_asked_s_;
     bool limit_told_ = false;
     Vec3 seen_from_m_{0.0};  // position of the walker's feet when the walker last saw the hand

@@ -1,5 +1,5 @@
-// Replaces files on a separate thread, because a disk may be slow. Only one write at a time. One owner, whose thread
-// makes all calls.
+// Replaces files on a separate thread, because a disk may be slow. Only one write runs at a time. Only the thread of
+// the writer's owner calls its functions.
 #pragma once
 
 #include <atomic>
@@ -15,7 +15,7 @@ namespace handrail::core {
 
 class BackgroundWriter {
 public:
-    // A function of worlds/base/files.h that writes a file.
+    // A pointer to a function of worlds/base/files.h that writes a file.
     using Write = Result<void> (*)(const std::filesystem::path&, std::string_view);
 
     explicit BackgroundWriter(const Executor& executor, Write how = write_file_atomically)
@@ -24,7 +24,7 @@ public:
     BackgroundWriter(const BackgroundWriter&) = delete;
     BackgroundWriter& operator=(const BackgroundWriter&) = delete;
 
-    // True until the present write has ended.
+    // Returns true until the present write has ended.
     bool busy() const { return worker_.joinable() && !done_; }
     // Begins a write; call it only if busy() is false.
     void write(std::filesystem::path file, std::string content);

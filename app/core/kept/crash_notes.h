@@ -1,6 +1,6 @@
-// Notes for a report on a crashed session: the program, settings other than the defaults, and the last commands. They
-// are collected while the session runs, because a crashed program cannot be asked. They never contain typed text, or
-// names of worlds, files, devices or persons. App thread only.
+// Collects notes for a report on a crashed session: the program, settings other than the defaults, and the last
+// commands. They are collected while the session runs, because a crashed program cannot report them. They never contain
+// typed text, or names of worlds, files, devices or persons. Use this class on the app thread only.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +20,10 @@ public:
 
     // Notes a command with its time. `act` is the command's own word, which is the same in every language ("forward").
     void note(std::string_view act, double now_s);
-    // Counts the changes of text().
+    // Returns how often text() has changed.
     std::uint64_t changes() const { return changes_; }
-    // Returns one sentence a line: the given lines, then the last commands. For each command, it says how many seconds
-    // it came before the latest one.
+    // Returns one sentence a line: the lines from the constructor, then the last commands. For each command, the
+    // sentence says how many seconds the command came before the latest one.
     std::string text() const;
 
 private:
@@ -37,8 +37,8 @@ private:
     std::uint64_t changes_ = 1;
 };
 
-// True if the value of a setting reveals nothing about the person. Numbers, true, false and the words listed in `range`
-// may be reported. Names of devices, voices, files or keys may not.
+// Returns true if the value of a setting reveals nothing about the person. Numbers, true, false and the words listed in
+// `range` may be reported. Names of devices, voices, files or keys may not.
 bool may_be_reported(std::string_view value, std::string_view range);
 
 // Returns one sentence about the signal that ended a program. 0 means that no signal was noted.

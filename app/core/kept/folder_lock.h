@@ -1,6 +1,6 @@
 // Locks a folder against other sessions of the program while this object exists. The folder itself is locked, so a
-// crashed session leaves no lock file. If the folder is missing or its file system has no locks, no session is kept
-// out.
+// crashed session leaves no lock file. If the folder is missing or its file system has no locks, the lock keeps no
+// session out.
 #pragma once
 
 #include <filesystem>

@@ -148,7 +148,7 @@ struct SessionTrace::State {
         fs::file_time_type latest = fs::file_time_type::min();
         for (const fs::path& path : locks) {
             const Descriptor file(::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
-            if (!lock(file)) continue;  // that session is still running
+            if (!lock(file)) continue;  // This session is still running.
             crashed = true;
             if (fs::path kept_report = keep_report(path); kept_report > report) report = std::move(kept_report);
             fs::path place = path;
@@ -184,8 +184,8 @@ SessionTrace::SessionTrace(const fs::path& folder) : state_(std::make_unique<Sta
     if (folder.empty()) return;
     std::error_code ec;
     fs::create_directories(folder, ec);
-    // The lock prevents two sessions from starting at the same time. Otherwise one could find a file of the other
-    // before that file is locked.
+    // The lock prevents two sessions from starting at the same time. Otherwise one session could find a file of the
+    // other before that file is locked, and take it for a crashed session.
     const FolderLock all(folder, kLockWait_s);
     if (!all.held()) return;
     state_->look(folder);

@@ -41,7 +41,7 @@ std::string spoken_thing(const Scene& scene, const std::string& stored) {
     return feature == scene.features.end() ? std::string() : spoken_name(*feature);
 }
 
-// True for "Mark 3" and "Mark 3, near radiator", but not for "Mark 30".
+// Returns true for "Mark 3" and "Mark 3, near radiator", but not for "Mark 30", if `mark` is "Mark 3".
 bool is_called(std::string_view name, std::string_view mark) {
     return name.starts_with(mark) &&
            (name.size() == mark.size() || !std::isalnum(static_cast<unsigned char>(name[mark.size()])));
@@ -94,13 +94,13 @@ Mark new_mark(const Scene& scene, const SideFile& file, const std::vector<Mark>&
     };
     std::string name;
     std::size_t number = 1;
-    // n marks take at most n numbers, so the bound is never too small. Without it, the loop would never end if the text
-    // of the language ignores the number.
+    // n marks take at most n numbers, so the bound is never too small. Without the bound, the loop would never end if
+    // the language's text has no place for the number.
     do name = phrase("marks.name", {{"number", number}});
     while (taken(name) && ++number <= marks.size() + 1);
     const std::string thing = spoken_thing(scene, near.name),
                       whole = phrase("marks.name_near", {{"mark", name}, {"thing", thing}});
-    // If the name would be too long, the thing is left out of it. Cutting the name could split a character.
+    // If the name would be too long, the name of the thing is omitted. Cutting the whole name could split a character.
     if (whole.size() <= kLongestName_bytes && good_name(thing)) name = whole;
     return {.name = std::move(name),
             .place_m = place_m,

@@ -1,6 +1,6 @@
-// Stores the rooms and routes of a world between two runs of the program. The two functions take and return bytes, so
-// that the session knows neither files nor processes. If they are empty, nothing is stored. Any thread except the app
-// thread, because they wait for the disk.
+// Stores the rooms and routes of a world between two runs of the program. The two functions receive and return bytes,
+// so that the session needs to know nothing about files or processes. If they are empty, nothing is stored. They wait
+// for the disk, so any thread except the app thread may call them.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,6 @@
 // Decides when to save the person's changes: two seconds after the first unsaved change. So a crash loses at most two
 // seconds of changes, and a held key does not cause a write for each repetition. If saving fails, the person hears it
-// once, and saving is tried again every kRetry_s. Plain state over the caller's clock; app thread.
+// once, and the owner tries again every kRetry_s. Plain state over the caller's clock, for the app thread.
 #pragma once
 
 #include <optional>
@@ -17,9 +17,10 @@ public:
     void changed(double now_s);
     // Returns true if it is time to save. The caller then saves, and passes the result to ended().
     bool take_due(double now_s);
-    // Returns the sentence to announce, if any. It does not repeat a sentence until a save has succeeded.
+    // Returns the sentence to announce about the result, if any. After a failure, the sentence is not repeated until a
+    // save has succeeded.
     std::optional<std::string> ended(const Result<void>& saved, double now_s);
-    // True if there is a change that no save has included yet.
+    // Returns true if there is a change that no save has included yet.
     bool unsaved() const { return due_s_.has_value(); }
 
 private:

@@ -77,13 +77,13 @@ SideEntry way_entry(const SavedRoute& way) {
     return entry;
 }
 
-// Returns the name of this stop, or of the last stop before it that has a name.
+// Returns the name of the stop `at`, or of the last stop before it that has a name.
 std::string told_as(const std::vector<Stop>& stops, std::size_t at) {
     while (at > 0 && stops[at].name.empty()) --at;
     return stops[at].name;
 }
 
-// Returns the name of this stop, or of the next stop after it that has a name.
+// Returns the name of the stop `at`, or of the next stop after it that has a name.
 std::string told_next(const std::vector<Stop>& stops, std::size_t at) {
     while (at + 1 < stops.size() && stops[at].name.empty()) ++at;
     return stops[at].name;
@@ -248,7 +248,7 @@ std::vector<Vec3> corners_of(std::span<const Vec3> trail_m, double off_m) {
 
 std::span<const Vec3> trail_since(std::span<const Vec3> trail_m, const Vec3& place_m, double near_m) {
     contract_pre(near_m >= 0.0);
-    // Searches backwards for the last visit to the place, then for the nearest point of that visit.
+    // Search backwards for the last visit to the place, then for the nearest point of that visit.
     std::size_t best = trail_m.size();
     double nearest_m = near_m;
     for (std::size_t i = trail_m.size(); i-- > 0;) {

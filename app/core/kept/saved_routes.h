@@ -1,6 +1,7 @@
-// Routes that a person has saved in a world under a name: an ordered list of stops, how the side file stores it, and
-// how each stop is found again after the world was edited. Navigation plans the route between two stops. Pure functions
-// over plain values; app thread. Looking up a saved route plans nothing; each leg costs one call of Navigation::plan.
+// Stores the routes that a person has saved in a world under a name. A route is an ordered list of stops. The functions
+// define how the side file stores the route, and how each stop is found again after the world was edited. Navigation
+// plans the route between two stops. Pure functions over plain values, for the app thread. Finding the stops of a saved
+// route plans nothing. Each leg costs one call of Navigation::plan.
 #pragma once
 
 #include <functional>
@@ -16,12 +17,13 @@
 namespace handrail::core {
 
 struct Stop {
-    std::string name;      // name as it is announced; empty: the stop is passed silently
+    std::string name;      // name as it is announced; empty: the stop is not announced
     Vec3 place_m{0.0};     // a point on the floor, in world coordinates
     std::string thing;     // scene name of the thing at the stop; empty: none
     double thing_m = 0.0;  // distance from the stop to the bounding box of that thing
-    std::string room;      // name of its room, given by the map or a person; empty: the room has no such name
-    SideEntry kept;        // keys of the file that this version does not know
+    // Name of the room that contains the stop, given by the map or a person; empty: the room has no such name.
+    std::string room;
+    SideEntry kept;  // keys of the side file that this version does not know
 };
 
 struct SavedRoute {
@@ -37,8 +39,8 @@ inline constexpr double kStopMoved_m = 0.5;  // how much the distance from a sto
 inline constexpr double kStopFloor_m = 0.6;
 inline constexpr double kTrailBend_m = 0.4;  // largest distance of a simplified trail from the original one
 
-// Returns the routes in the order of the file. Entries that are not routes stay in the file but are not returned. For
-// each of them, `faults` receives the file, the line, what is wrong and what to do.
+// Returns the routes in the order of the side file. Entries that are not routes stay in the file but are not returned.
+// For each of these entries, `faults` receives the file, the line, what is wrong and what to do.
 std::vector<SavedRoute> read_ways(const SideFile& file, std::vector<Error>& faults);
 void write_ways(SideFile& file, const std::vector<SavedRoute>& ways);
 
@@ -46,9 +48,9 @@ void write_ways(SideFile& file, const std::vector<SavedRoute>& ways);
 struct StopFault {
     enum class Kind : std::uint8_t {
         ThingGone,
-        ThingMoved,  // the thing is somewhere else
+        ThingMoved,  // the thing is at another place
         RoomGone,
-        RoomMoved,  // the room is somewhere else
+        RoomMoved,  // the room is at another place
         NoPlace,    // the walker cannot stand there
         NoWay,      // there is no route on foot from the previous stop
     } kind = Kind::ThingGone;
@@ -56,21 +58,21 @@ struct StopFault {
     double moved_m = 0.0;
 };
 // The present places of the stops, and the faults. If the world's file is unchanged, look_up() does not search for
-// things and rooms again. It recognises a room by the name from the person or from the map.
+// things and rooms again. It recognises a room by the name that the person or the map gave it.
 struct FoundRoute {
     std::vector<Stop> stops;
     std::vector<StopFault> faults;
 };
 FoundRoute look_up(const SavedRoute& way, const Scene& scene, const SideFile& file,
                    const navigation::Navigation& navigation, const navigation::RoomGraph& graph);
-// Returns "Desk is gone; no way on foot from Hall to Kitchen", or an empty text if everything fits.
+// Returns "Desk is gone; no way on foot from Hall to Kitchen", or an empty text if every stop fits the world.
 std::string fault_words(const FoundRoute& found, const std::function<std::string(double)>& distance);
 
 // Joins two routes. `then` must begin where `first` ends.
 navigation::Route joined(navigation::Route first, const navigation::Route& then);
 
-// Plans a route on foot through several places. It ends before the first place that cannot be reached. `at_m`, unless
-// null, receives the distance of each place along the route.
+// Plans a route on foot through several places. The route ends before the first place that cannot be reached. `at_m`
+// receives the distance of each place along the route, unless it is null.
 navigation::Route plan_through(navigation::Navigation& navigation, const Vec3& from_m, std::span<const Vec3> places_m,
                                std::vector<double>* at_m = nullptr);
 
@@ -86,17 +88,17 @@ double length_of(std::span<const Vec3> points_m);
 struct RouteRun {
     std::vector<Stop> stops;   // in walking order
     std::size_t next = 0;      // index of the first stop that has not been passed
-    bool by_hand = false;      // true: the hand is guided; false: announcements guide the walker
-    std::vector<double> at_m;  // distance along the present route to each stop from `planned` on
+    bool by_hand = false;      // true: the hand is guided along the route; false: announcements guide the walker
+    std::vector<double> at_m;  // distance along the present route to each stop, beginning with the stop `planned`
     std::size_t planned = 0;
 
-    // Returns the next stop whose arrival is announced.
+    // Returns the index of the next stop whose arrival is announced.
     std::size_t goal() const {
         std::size_t named = next;
         while (named + 1 < stops.size() && stops[named].name.empty()) ++named;
         return named;
     }
-    std::vector<Vec3> places() const;  // the places of the stops from `next` to goal()
+    std::vector<Vec3> places() const;  // returns the places of the stops from `next` to goal()
 };
 
 }  // namespace handrail::core

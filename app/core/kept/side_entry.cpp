@@ -1,4 +1,4 @@
-// Access to the values of an entry in a side file, declared in side_file.h.
+// Implements the access to the values of an entry in a side file. side_file.h declares it.
 #include <cmath>
 
 #include "app/core/kept/side_file.h"

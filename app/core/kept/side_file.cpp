@@ -23,11 +23,11 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kLongestFile_bytes = std::size_t{16} << 20;
-// 255 bytes, minus our extension and the extension of a temporary file.
+// A file system allows 255 bytes for a name. The rest is for our extension and the extension of a temporary file.
 constexpr std::size_t kLongestFileName_bytes = 220;
 constexpr std::string_view kEnding = ".handrail.toml";
 constexpr std::size_t kMostTold = 5;
-// Name of the list of marks, in which two equal entries are still two different marks.
+// Name of the list of marks. Two equal entries in this list are still two different marks.
 constexpr std::string_view kMarks = "mark";
 
 std::string checksum_of(std::string_view bytes) {
@@ -63,7 +63,7 @@ bool is_link(const fs::path& path) {
     return fs::is_symlink(path, ec);
 }
 
-// True if the folder of `near` can be written, or if there is no other folder to write to.
+// Returns true if the folder of `near` can be written, or if there is no other folder to write to.
 bool lies_beside(const fs::path& near, const fs::path& far, bool shipped) {
     const fs::path folder = near.has_parent_path() ? near.parent_path() : fs::path(".");
     return far.empty() || (!shipped && near.filename().string().size() <= kLongestFileName_bytes &&
@@ -152,7 +152,7 @@ void put_list(settings::TomlValue& root, const std::string& name, const std::vec
     root.set(name, std::move(list));
 }
 
-// Lists up to five of the names in one sentence.
+// Lists up to five of `names` in one sentence.
 std::string told(const std::vector<std::string>& names) {
     const std::size_t count = std::min(names.size(), kMostTold);
     std::string text =
@@ -160,7 +160,7 @@ std::string told(const std::vector<std::string>& names) {
     return names.size() > count ? phrase("side_file.more", {{"names", text}, {"count", names.size() - count}}) : text;
 }
 
-// Returns an unused name for a copy next to the file, or an empty path if none is available.
+// Returns an unused name for a copy next to the file at `path`, or an empty path if none is available.
 fs::path kept_name(const fs::path& path) {
     for (int i = 1; i < 1000; ++i) {
         fs::path kept = path;
@@ -173,19 +173,20 @@ fs::path kept_name(const fs::path& path) {
 }  // namespace
 
 struct SideFile::Content {
-    fs::path path, other_path;  // where the file is saved; `other_path` if that folder cannot be written
-    fs::path read_from;         // the file that was read
+    // The side file is saved as `path`; if the folder of `path` cannot be written, as `other_path`.
+    fs::path path, other_path;
+    fs::path read_from;  // the file that was read at opening
     std::string checksum;
     settings::TomlReader toml = settings::toml_of;
     settings::TomlValue root = settings::TomlValue::empty_table();
-    settings::TomlValue base = settings::TomlValue::empty_table();  // content as it was read or last saved
+    settings::TomlValue base = settings::TomlValue::empty_table();  // content of the file as it was read or last saved
     std::string saved;                                              // text of `base`
     std::vector<std::string> news;
     TakenOver taken_over;
-    // `overwrites`: saving would overwrite something that is not a list or table of entries.
+    // `overwrites`: saving would overwrite a value that is not a list or table of entries.
     bool changed = false, overwrites = false;
 
-    // Copies the whole file to an unused name, and returns that name.
+    // Copies the whole file to an unused name, and returns the path of the copy.
     static Result<fs::path> keep_aside(const fs::path& file) {
         const fs::path kept = kept_name(file);
         std::error_code ec;
@@ -232,8 +233,8 @@ struct SideFile::Content {
         return merged;
     }
 
-    // Sets the two possible files of this world. The preferred one is first. If it is a link and the other one is not,
-    // they are swapped, because Handrail never creates links.
+    // Sets the two possible files of this world, `first` being the preferred one. If `first` is a link and `second` is
+    // not, they are swapped, because Handrail never creates links.
     void lies_in(const fs::path& first, const fs::path& second) {
         const bool first_is_link = is_link(first);
         const bool swaps = first_is_link && !second.empty() && !is_link(second);
@@ -251,12 +252,12 @@ struct SideFile::Content {
         lies_in(near_works ? near : far, near_works ? far : near);
     }
 
-    // Locks the folder, merges the present content of the file, and writes the result.
+    // Locks the folder of `to`, merges the present content of that file, and writes the result.
     Result<void> write(const fs::path& to) {
         if (is_link(to)) return fail(phrase("files.link"), to.filename().string());
         const fs::path folder = to.has_parent_path() ? to.parent_path() : fs::path(".");
         std::error_code ec;
-        // The lock needs the folder; if creating it fails, the write below reports the error.
+        // The lock needs the folder. If creating the folder fails, the write below reports the error.
         fs::create_directories(folder, ec);
         const FolderLock lock(folder, kLockWait_s);
         if (lock.held_elsewhere()) return fail(phrase("side_file.locked", {{"file", to.filename().string()}}));
@@ -284,9 +285,9 @@ struct SideFile::Content {
         }
         std::string text = "# What was added to this world in Handrail. Lengths are world metres.\n" +
                            settings::written_toml(all) + "\n";
-        // The text is parsed again before it is written, so that memory and file agree, including line numbers. It is
-        // safe to parse it in this process, because it is our own text. If memory is short, toml++ 3.3 writes fewer
-        // digits of a number; the comparison detects that.
+        // The text is parsed again before it is written, so that memory and file agree, including line numbers.
+        // Handrail wrote this text itself, so it is safe to parse it in this process. If memory is short, toml++ 3.3
+        // writes fewer digits of a number. The comparison detects that.
         Result<settings::TomlValue> again = settings::toml_of(text);
         if (!again || !same(entry_from(all), entry_from(*again)))
             return fail(phrase("side_file.unwritable"), to.filename().string());
@@ -301,11 +302,11 @@ struct SideFile::Content {
         return {};
     }
 
-    // Reads the file. Returns false if the parser cannot tell what the file contains. In that case, the file stays as
-    // it is, and additions go to the other file.
+    // Reads the file `from`. Returns false if the parser cannot tell what the file contains. In that case, the file
+    // stays as it is, and additions go to the other file.
     bool read(const fs::path& from) {
         const std::string name = from.filename().string();
-        std::optional<int> damaged_line;  // no value: the file cannot be read
+        std::optional<int> damaged_line;  // line of the damage; no value: the file cannot be read
         if (const auto text = read_whole_file(from, kLongestFile_bytes); text) {
             if (Result<settings::TomlValue> read = toml(*text)) {
                 root = std::move(*read);
@@ -351,7 +352,7 @@ SideFile SideFile::of_world(const fs::path& world, const fs::path& data_folder, 
     content.toml = std::move(toml);
     content.checksum = checksum_of_world(world);
     content.belongs_to(world, data_folder, shipped);
-    // Since the additions were made, the folder may have become writable or read-only. So both files are tried.
+    // After the file was opened, the folder may have become writable or read-only. So both files are tried.
     for (const fs::path& from : {fs::path(content.path), fs::path(content.other_path)})
         if (!from.empty() && is_there(from) && !is_link(from) && content.read(from)) break;
     return file;
@@ -384,7 +385,8 @@ SideEntry SideFile::peek(const fs::path& world, const fs::path& data_folder, boo
 
 SideEntry SideFile::table_of_text(const std::string& text, const std::string& name) {
     const Result<settings::TomlValue> read = settings::toml_of(text);
-    return read ? table_in(read->find(name)) : SideEntry{};  // of_world reports errors
+    // Errors are ignored here, because SideFile::of_world reports them.
+    return read ? table_in(read->find(name)) : SideEntry{};
 }
 
 const std::vector<std::string>& SideFile::news() const { return content_->news; }

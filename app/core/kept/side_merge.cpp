@@ -15,8 +15,8 @@ using At = std::optional<std::size_t>;
 
 bool same_number(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-// True if both entries have the same value for `key`, by which a changed entry can be recognised. The caller tries the
-// most reliable key first.
+// Returns true if both entries have the same value for `key`, so that they are versions of one entry. The caller tries
+// the most reliable key first.
 bool same_thing(const SideEntry& a, const SideEntry& b, const char* key) {
     const auto in_a = a.find(key), in_b = b.find(key);
     return in_a != a.end() && in_b != b.end() && same(in_a->second, in_b->second);
@@ -96,7 +96,7 @@ MergedEntries merge_entries(const std::vector<SideEntry>& base, const std::vecto
 
     for (std::size_t i = 0; i < here.size(); ++i) {
         const SideEntry& mine = here[i];
-        if (!base_of[i]) {  // new in this session; the other session may have added an equal entry
+        if (!base_of[i]) {  // This session added the entry. The other session may have added an equal one.
             if (alike == Alike::OneThing)
                 std::erase_if(new_there, [&, found = false](std::size_t at) mutable {
                     return !found && (found = same(other[at], mine));
@@ -131,7 +131,8 @@ MergedEntries merge_entries(const std::vector<SideEntry>& base, const std::vecto
     }
     for (std::size_t b = 0; b < base.size(); ++b) {
         if (in_here[b] || !in_other[b] || same(base[b], other[*in_other[b]])) continue;
-        merged.entries.push_back(other[*in_other[b]]);  // deleted in this session, changed in the other one
+        // This session deleted the entry, and the other session changed it.
+        merged.entries.push_back(other[*in_other[b]]);
         merged.differs = true;
         if (!each_its_own[b]) conflict(other[*in_other[b]]);
     }

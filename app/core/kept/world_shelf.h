@@ -1,5 +1,6 @@
-// The worlds to choose from: the worlds that come with the program, the worlds in any folder, and the worlds visited
-// last, whose paths are in a small text file. App thread. It reads only folders and that file, not the worlds.
+// Lists the worlds to choose from: the worlds that come with the program, the worlds in any folder, and the worlds
+// visited last. A small text file contains the paths of the worlds visited last. This code reads only folders and that
+// file, not the worlds. Use it on the app thread.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +10,12 @@
 namespace handrail::core {
 
 struct ShelvedWorld {
-    std::string name;  // name for speech, made from the file's name
+    std::string name;  // spoken name, made from the file's name
     std::filesystem::path file;
 };
 
-// Returns the world files of the supported kinds, sorted by name. Empty if the folder is missing, unreadable or
-// contains no worlds.
+// Returns the world files of the supported kinds, sorted by name. The list is empty if the folder is missing,
+// unreadable or contains no worlds.
 std::vector<ShelvedWorld> worlds_in(const std::filesystem::path& folder);
 // Returns "first room" for "first_room.map". Bytes that are not UTF-8 are left out.
 std::string name_of_file(const std::filesystem::path& file);
@@ -24,14 +25,14 @@ public:
     static constexpr std::size_t kMost = 10;
 
     RecentWorlds() = default;  // keeps the list in memory only
-    // Reads the list from `file`, which must be UTF-8 text with one path a line. Otherwise the file is kept under
-    // another name, take_news() says so, and the list starts empty.
+    // Reads the list from `file`, which must be UTF-8 text with one path a line. If it is not, the file is renamed,
+    // take_news() says so, and the list starts empty.
     explicit RecentWorlds(std::filesystem::path file);
 
     const std::vector<std::filesystem::path>& worlds() const { return worlds_; }  // the latest visit first
     // Notes a visit and saves the list at once. If saving fails, the list stays in memory.
     void add(const std::filesystem::path& world);
-    // Returns sentences about problems with the file, once.
+    // Returns sentences about problems with the file of the list. Each sentence is returned only once.
     std::string take_news();
 
 private:
@@ -40,11 +41,11 @@ private:
     std::string news_;
 };
 
-// Returns $XDG_STATE_HOME/handrail/recent-worlds.txt, or else ~/.local/state/handrail/recent-worlds.txt. Empty if
-// neither path is known.
+// Returns $XDG_STATE_HOME/handrail/recent-worlds.txt, or else ~/.local/state/handrail/recent-worlds.txt. The result is
+// empty if neither path is known.
 std::filesystem::path recent_worlds_path();
 
-// The contents of the list of worlds.
+// The contents of the list of worlds from which a person chooses.
 struct WorldShelf {
     std::filesystem::path bundled;  // folder of the worlds that come with the program
     std::vector<std::filesystem::path> recent;

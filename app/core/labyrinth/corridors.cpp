@@ -20,8 +20,8 @@ struct Cells {
     std::vector<bool> free;
 };
 
-// Copies the world so that the search for walkable floor starts at the ball and on all sides of each hole, because no
-// walk crosses a hole.
+// Copies the world so that the search for walkable floor starts at the ball and on all sides of each hole. A walk
+// cannot cross a hole, so one start would not reach all the floor.
 Scene begun_on_the_board(const Scene& scene, const Vec3& feet_m, double beside_m) {
     Scene begun = scene;
     begun.starts.clear();
@@ -40,7 +40,7 @@ Scene begun_on_the_board(const Scene& scene, const Vec3& feet_m, double beside_m
     return begun;
 }
 
-// True if the building has no part within the radius of the ball on the four sides of `middle_m`.
+// Returns true if no part of the building is within the radius of the ball on the four sides of `middle_m`.
 bool has_room(const Scene& scene, const Vec3& middle_m, double radius_m) {
     return std::none_of(scene.solids.begin(), scene.solids.end(), [&](const Solid& solid) {
         if (solid.role != SolidRole::Solid) return false;
@@ -125,8 +125,9 @@ std::optional<SharedBorder> meeting(const CellStrip& a, const CellStrip& b) {
     return std::nullopt;
 }
 
-// Returns the largest rectangle of free cells whose last row is `row`. Uses the standard algorithm for the largest
-// rectangle under a histogram, with a stack of rising columns. Among equal ones, it returns the westernmost.
+// Returns the largest rectangle of free cells whose last row is `row`. It uses the standard algorithm for the largest
+// rectangle under a histogram, with a stack of rising columns. Among rectangles of equal size, it returns the
+// westernmost.
 CellStrip largest_in_row(const std::vector<int>& high, int row) {
     CellStrip best{0, 0, -1, -1};
     int best_area = 0;

@@ -1,5 +1,5 @@
-// The corridors of a labyrinth, for its description: straight strips of floor along which the ball can roll, and where
-// they join. Pure functions; any thread.
+// Finds the corridors of a labyrinth, for its description: straight strips of floor along which the ball can roll, and
+// the places where they join. Pure functions, which any thread may call.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace handrail::core {
 
-// A rectangle of cells; both ends of each range are included.
+// A rectangle of cells. Each range includes both of its ends.
 struct CellStrip {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 
@@ -20,9 +20,9 @@ struct CellStrip {
     bool operator==(const CellStrip&) const = default;
 };
 
-// Divides the free cells into rectangles: takes the largest rectangle, then the largest of the remaining cells, until
-// no cell is left. Among equal ones, the southernmost comes first, then the westernmost. `free` has `width` times
-// `depth` cells, in rows from south to north, each from west to east.
+// Divides the free cells into rectangles. It removes the largest rectangle, then the largest of the remaining cells,
+// until no cell is left. Among rectangles of equal size, the southernmost comes first, then the westernmost. `free` has
+// `width` times `depth` cells, in rows from south to north, each from west to east.
 std::vector<CellStrip> largest_strips(std::vector<bool> free, int width, int depth);
 
 enum class CorridorSide : std::uint8_t { East, North, West, South };
@@ -39,15 +39,15 @@ struct Corridor {
     double across_m = 0.0;  // how far the ball can roll across it
     std::vector<Branch> branches;
 
-    // Returns the distance of a place from the corridor's beginning, along the corridor. Outside the corridor, the
-    // distance is negative or greater than `length_m`.
+    // Returns the distance of a place from the corridor's beginning, along the corridor. If the place is outside the
+    // corridor, the distance is negative or greater than `length_m`.
     double along_m(const Vec3& place_m) const { return east ? place_m.x - box_m.min_m.x : place_m.y - box_m.min_m.y; }
 };
 
-// Returns the corridors that the ball can reach from its place. Holes count as floor, and movable things are ignored.
-// The ball's own corridor comes first, and the others follow by the number of corridors between. Strips that are
-// shorter than half a roll, which is the diameter of the ball, are left out. If there are two floors above each other,
-// the one reached first counts. Fails if there is no floor to roll on.
+// Returns the corridors that the ball can reach from its place. Holes are treated as floor, and movable things are
+// ignored. The ball's own corridor comes first, and the others follow by the number of corridors between. Strips that
+// are shorter than half a roll, which is the diameter of the ball, are left out. If there are two floors above each
+// other, the function uses the floor that it reaches first. It fails if there is no floor to roll on.
 Result<std::vector<Corridor>> corridors_of(const Scene& scene, const Vec3& ball_m, double radius_m);
 
 }  // namespace handrail::core

@@ -22,7 +22,7 @@ constexpr double kLookDown_m = 0.3;  // height above a hole from which the code 
 constexpr double kFarWall_m = 20.0;
 constexpr double kThudAgain_s = 0.5;
 constexpr double kLoudness = 0.6;
-// Largest distances at which a hole and the goal are heard, in diameters of the ball.
+// Largest distances at which the person hears a hole and the goal, in diameters of the ball.
 constexpr double kHoleHeard = 10.0, kGoalHeard = 20.0;
 constexpr double kSlowestBeat_hz = 2.0, kFastestBeat_hz = 10.0;
 
@@ -71,7 +71,8 @@ std::string Labyrinth::opening_words() const {
                                       {"again", context_.keys.keys_of(Command::PutBack)}});
 }
 
-// Returns the index among the placed things of the world, or their number if the feature is not among them.
+// Returns the index of the feature among the placed things of the world, or the number of placed things if it is not
+// among them.
 std::size_t Labyrinth::thing_of(FeatureId feature) const {
     const std::vector<PlacedModel>& placed = context_.world.scene->placed;
     return static_cast<std::size_t>(
@@ -137,8 +138,8 @@ std::string Labyrinth::state_words() const {
     return text;
 }
 
-// Lists what is in the corridor and where other corridors branch off, in the order from its beginning, with distances
-// in rolls of the ball.
+// Lists what is in the corridor and where other corridors branch off, in order from the corridor's beginning, with
+// distances in rolls of the ball.
 std::string Labyrinth::corridor_words(const Corridor& corridor) const {
     std::vector<std::pair<double, std::string>> told;
     const double near_m = 0.5 * corridor.across_m + 2.0 * radius_m_;
@@ -187,7 +188,7 @@ void Labyrinth::list_corridors(double now_s) {
                                      {{"number", i + 1}, {"rolls", halves(corridor.length_m / roll_m())}}),
                               corridor_words(corridor)});
     }
-    list.stays_open = true;  // the person can only read this list
+    list.stays_open = true;  // The list stays open on Enter, because the person can only read it.
     list.chosen = [](std::size_t) {};
     context_.open_list(std::move(list), now_s);
 }
@@ -218,8 +219,8 @@ void Labyrinth::begin(double now_s) {
     nearer_s_ = now_s;
 }
 
-// True if anything except the ball covers the middle of the hole. While the ball itself is over the hole, the previous
-// answer stays.
+// Returns true if anything except the ball covers the middle of the hole. While the ball itself is over the hole, the
+// previous answer stays.
 bool Labyrinth::covered(std::size_t which) const {
     const LabyrinthPlan::Place& hole = plan().holes[which];
     Vec3 from = hole.box_m.centre_m();
@@ -277,7 +278,7 @@ void Labyrinth::tick(double now_s) {
         return context_.answer(phrase("labyrinth.back"), now_s);
     }
     if (!bodies_.any_moving()) {
-        // The hint is only for a person who has begun and makes no progress.
+        // The hint is only for a person who has begun to roll the ball and gets no nearer to the goal.
         if (began_s_ >= 0.0 && !over_ && !hint_told_ && now_s - nearer_s_ > kStuck_s) {
             hint_told_ = true;
             context_.answer(

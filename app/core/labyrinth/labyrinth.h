@@ -1,6 +1,7 @@
-// The labyrinth game: the person rolls a ball past holes to a goal. This class keeps the clock and the best time, makes
-// holes hum and the goal ring, announces the state and restarts the game. It gives a hint if the ball gets no nearer to
-// the goal. It is active only in worlds that declare a labyrinth (worlds/scene/labyrinth.h). App thread only.
+// Runs the labyrinth game, in which the person rolls a ball past holes to a goal. This class keeps the clock and the
+// best time, makes holes hum and the goal ring, announces the state and restarts the game. It gives a hint if the ball
+// gets no nearer to the goal. It is active only in worlds that declare a labyrinth (worlds/scene/labyrinth.h). Use it
+// on the app thread only.
 #pragma once
 
 #include <filesystem>
@@ -19,9 +20,9 @@ class Labyrinth : SessionPart {
 public:
     Labyrinth(const SessionContext& context, Bodies& bodies, Soundscape& soundscape);
 
-    // Sets the folder for best times. Without it, best times are lost when the session ends.
+    // Sets the folder for best times. Without a folder, best times are lost when the session ends.
     void keep_records_in(const std::filesystem::path& folder) { best_.keep_in(folder); }
-    // Call it after the world and its bodies have been entered.
+    // Begins the game if the world is a labyrinth. Call it after the world and its bodies have been entered.
     void enter_world(double now_s);
     // Returns the announcement of the game's aim, or an empty text if the world is not a labyrinth.
     std::string opening_words() const;
@@ -56,12 +57,12 @@ private:
     double radius_m_ = 0.05;
     Vec3 start_m_{0.0};
     std::vector<bool> covered_;
-    std::vector<AddedSound> sounds_;  // sounds as last sent to the soundscape
-    double began_s_ = -1.0;           // time when the ball first moved; negative: not yet
-    double fallen_s_ = -1.0;          // time when the ball fell into a hole; negative: it has not
+    std::vector<AddedSound> sounds_;  // sounds that were sent to the soundscape last
+    double began_s_ = -1.0;           // time when the ball first moved; negative: it has not moved yet
+    double fallen_s_ = -1.0;          // time when the ball fell into a hole; negative: it has not fallen
     bool over_ = false;
     double thud_s_ = -1e9;
-    // Nearest distance of the ball to the goal until now, and the time when it got there.
+    // Shortest distance of the ball to the goal until now, and the time when the ball got there.
     double nearest_m_ = 0.0, nearer_s_ = 0.0;
     bool hint_told_ = false;
 };

@@ -1,5 +1,5 @@
-// The best times of a game, one for each world, stored in the person's own data folder. Also words the announcement of
-// a new time. App thread only.
+// Stores the best times of a game, one for each world, in the person's own data folder. It also words the announcement
+// of a new time. Use it on the app thread only.
 #pragma once
 
 #include <filesystem>
@@ -11,17 +11,17 @@ namespace handrail::core {
 
 class BestTimes {
 public:
-    // `game` is the file's name without extension.
+    // `game` is the name of the file without extension.
     explicit BestTimes(std::string game) : game_(std::move(game)) {}
-    // Sets the folder for the file. Without it, best times are lost when the session ends.
+    // Sets the folder for the file. Without a folder, best times are lost when the session ends.
     void keep_in(const std::filesystem::path& folder) { folder_ = folder; }
-    // Call it when a game in `world` has ended after `took_s`. Returns the announcement: the first time, a new best
-    // time, or the old best time. It also mentions an error of saving.
+    // Compares `took_s` with the best time in `world`. Call it when a game has ended. Returns the announcement: the
+    // first time, a new best time, or the old best time. If saving failed, the announcement mentions the error.
     std::string finish(const std::string& world, double took_s);
 
 private:
     const std::string game_;
-    std::filesystem::path folder_;  // empty: nothing is stored
+    std::filesystem::path folder_;  // folder for the file; empty: nothing is stored
     std::map<std::string, double> session_s_;
 };
 

@@ -14,9 +14,10 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kHide_m = 6.0;       // least distance on foot from the walker to the hidden clock
-constexpr double kHandFinds_m = 0.4;  // the hand finds the clock within this distance; world metres
-const Vec3 kAbove_m(0.0, 0.0, 1.0);   // height of the clock above the floor
+constexpr double kHide_m = 6.0;  // least distance on foot from the walker to the hidden clock
+// World metres; if the hand is within this distance of the clock, it has found the clock.
+constexpr double kHandFinds_m = 0.4;
+const Vec3 kAbove_m(0.0, 0.0, 1.0);  // offset of the clock from the floor
 
 }  // namespace
 
@@ -44,7 +45,7 @@ bool ClockHunt::act(Command command, double now_s) {
 }
 
 void ClockHunt::hide(double now_s) {
-    // Doors count as open, because the person can open them. So they are removed from this copy of the world.
+    // Doors are treated as open, because the person can open them. So they are removed from this copy of the world.
     Scene open = *context_.world.scene;
     std::erase_if(open.placed, [&](const PlacedModel& thing) {
         const Feature* feature = context_.world.scene->find(thing.feature);
@@ -63,7 +64,7 @@ void ClockHunt::hide(double now_s) {
 
 std::string ClockHunt::hint_words() const {
     const Vec3& feet_m = context_.body.feet_m();
-    // If the routes of this world are known, they give the distance, because they can begin anywhere. Otherwise the
+    // If the routes of this world are known, they give the distance, because a route can begin anywhere. Otherwise the
     // grid of the hunt gives it.
     std::optional<double> way;
     std::optional<Vec3> next;

@@ -1,5 +1,6 @@
-// The hunt as a game: hides a ticking clock, gives directions to it, notices when the hand or the walker has found it,
-// and keeps the best time for each world. hunt.h finds the hiding places. App thread only.
+// Runs the hunt as a game. It hides a ticking clock, gives directions to the clock, notices when the hand or the walker
+// has found it, and keeps the best time for each world. hunt.h finds the hiding places. Use this class on the app
+// thread only.
 #pragma once
 
 #include <filesystem>
@@ -19,14 +20,14 @@ class ClockHunt : SessionPart {
 public:
     ClockHunt(const SessionContext& context, Rooms& rooms, Soundscape& soundscape);
 
-    // Sets the folder for best times. Without it, best times are lost when the session ends.
+    // Sets the folder for best times. Without a folder, best times are lost when the session ends.
     void keep_records_in(const std::filesystem::path& folder) { best_.keep_in(folder); }
     // Requests a hunt in the next world that is entered.
     void await_world() { awaits_ = true; }
     void enter_world();
     // Begins the requested hunt. Call it after the world has been announced.
     void begin_awaited(double now_s);
-    // Handles the Hunt command. Returns false for any other command.
+    // Carries out the Hunt command. Returns false for any other command.
     bool act(Command command, double now_s);
     void tick(double now_s);
 

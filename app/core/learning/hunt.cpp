@@ -17,8 +17,8 @@ constexpr std::size_t kMostNodes = 40000;
 constexpr double kFound_m = 1.0;
 constexpr double kClockHeight_m = 1.0;
 
-// Returns where a walker arrives that walks straight from one place to the other. No value if anything is in the way or
-// there is no ground.
+// Returns where a walker arrives that walks straight from `from_m` to `to_m`. Returns no value if anything blocks the
+// walk or there is no ground.
 std::optional<Vec3> walks(const WalkerWorld& world, const Vec3& from_m, const Vec3& to_m, const WalkerSize& body) {
     const Vec3 way(to_m.x - from_m.x, to_m.y - from_m.y, 0.0);
     const double length = glm::length(way);
@@ -55,7 +55,8 @@ HuntGround::HuntGround(const WalkerWorld& doors_open, const Vec3& feet_m, const 
             const auto to = walks(doors_open, from, from + Vec3(dx * kCell_m, dy * kCell_m, 0.0), body);
             if (!to) continue;
             const int x = cells[i].x + dx, y = cells[i].y + dy;
-            // Rounding may give the same place one of two heights, so both are tried.
+            // Rounding may give one place two different keys, so the heights half a metre above and below are also
+            // tried.
             auto there = known.find(key(x, y, to->z));
             for (const double off : {-0.5, 0.5})
                 if (there == known.end()) {
@@ -73,8 +74,8 @@ HuntGround::HuntGround(const WalkerWorld& doors_open, const Vec3& feet_m, const 
     measure(0);
 }
 
-// Computes the shortest routes along the grid. They are longer than straight routes, but the announcement rounds them
-// to whole steps, so that does not matter.
+// Computes the shortest routes along the grid. They are longer than straight routes. The announcement rounds distances
+// to whole steps, so the difference is not heard.
 void HuntGround::measure(std::uint32_t from) {
     // Some steps are possible in one direction only, such as down a drop. So the search follows the steps backwards
     // from the aim.

@@ -1,5 +1,5 @@
-// The logic of the hunt: a ticking clock is hidden somewhere that can be reached on foot, and a walker or a hand that
-// comes near finds it. Pure logic; app thread; world metres.
+// Implements the logic of the hunt: a ticking clock is hidden somewhere that can be reached on foot, and a walker or a
+// hand that comes near finds it. Pure logic for the app thread, in world metres.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,21 @@
 
 namespace handrail::core {
 
-// A grid of the places that a walker can reach from where it stands, a quarter of a metre apart, including over steps
-// and stairs. Also measures the distance on foot from each place to one aim.
+// A grid of the places that a walker can reach from its present place, a quarter of a metre apart, including over steps
+// and stairs. The class also measures the distance on foot from each place to one aim.
 class HuntGround {
 public:
     // `doors_open` is the world without doors, so that places behind doors are included.
     HuntGround(const WalkerWorld& doors_open, const Vec3& feet_m, const WalkerSize& body);
-    // Returns one of the places: at least `least_m` on foot from the start, or else the farthest place. The same number
-    // gives the same place.
+    // Returns a place of the grid that is at least `least_m` on foot from the start. If there is none, it returns the
+    // farthest place. The same `number` gives the same place.
     Vec3 hiding_place(std::uint64_t number, double least_m) const;
-    // Sets the aim to which distances are measured from now on.
+    // Sets the aim. Distances are measured to this aim from now on.
     void aim(const Vec3& feet_m);
     // Returns the distance on foot from `feet_m` to the aim, or no value if no route is known.
     std::optional<double> way_m(const Vec3& feet_m) const;
-    // Returns the farthest place on the route to the aim that a walker can reach from `feet_m` in a straight line. No
-    // value if no route is known.
+    // Returns the farthest place on the route to the aim that a walker can reach from `feet_m` in a straight line.
+    // Returns no value if no route is known.
     std::optional<Vec3> next_m(const WalkerWorld& doors_open, const Vec3& feet_m, const WalkerSize& body) const;
     std::size_t size() const { return nodes_.size(); }
 
@@ -40,7 +40,8 @@ private:
     std::vector<Node> nodes_;
 };
 
-// True if a walker or a hand at `feet_m` has found the clock: it is within a step, and nothing is in between.
+// Returns true if a walker or a hand at `feet_m` has found the clock. The clock must be within a step, and nothing may
+// be in between.
 bool finds(const WalkerWorld& world, const Vec3& feet_m, const Vec3& clock_feet_m);
 
 }  // namespace handrail::core

@@ -12,21 +12,22 @@
 namespace handrail::core {
 namespace {
 
-// Largest number of notes, enough for 40 km of new ground; later ones are dropped.
+// Largest number of notes, enough for 40 km of new ground. Any further notes are dropped.
 constexpr std::size_t kMostNotes = 1000000;
 constexpr double kSpot_m = 0.04;
 constexpr double kLane_m = 1.0, kLaneOff_m = 0.4;
-// Largest distance of a touch from the wall to which it counts; a hand above a radiator touches the wall behind it.
+// A touch belongs to a wall if it is at most this far from the wall. So a hand on the front of a radiator also learns
+// the wall behind the radiator.
 constexpr double kNormalOff_m = 0.3;
-// Shorter walls are not announced; a door jamb is part of the perimeter, but too short to announce.
+// Walls shorter than this are not announced. A door jamb is part of the perimeter, but too short to announce.
 constexpr double kLeastWall_m = 0.2;
 constexpr double kUnknown_m = 0.45;  // radius of the neighbourhood of a sample in which unknown wall is added up
-// A person within this distance of a door's middle has passed the door. A person who walks along its wall stays farther
-// away.
+// A person whose path is within this distance of a door's middle has passed through the door. A person who only walks
+// along the wall with the door stays farther away.
 constexpr double kThrough_m = 0.3;
 
 // Returns the key of a spot, which is a cell a few centimetres wide. For a touch, `facing` is one plus the number of
-// the eighth of the circle that the wall faces. For a step, it is 0.
+// the eighth of the circle that the wall faces. For a step, `facing` is 0.
 std::uint64_t spot_of(const Vec3& point_m, std::size_t facing) {
     const auto part = [](double metres) {
         return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(metres / kSpot_m))) & 0xfffffU;
@@ -43,8 +44,7 @@ bool knows(const WallSample& wall, const TouchNote& note) {
     return std::abs(off) <= kNormalOff_m && std::abs(along) <= note.reach_m;
 }
 
-// The samples of the boundary that are still unknown. They are sorted into squares as wide as the neighbourhood of a
-// sample.
+// The samples of the boundary that are still unknown, sorted into squares as wide as the neighbourhood of a sample.
 class UnknownWalls {
 public:
     explicit UnknownWalls(const Learnt& learnt) : walls_(learnt.place().walls) {
@@ -81,9 +81,10 @@ void LearningNotes::touched(const Vec3& point_m, const Vec3& normal, double reac
     contract_pre(is_finite(point_m) && is_finite(normal));
     contract_pre(reach_m >= 0.0);
     const double length = std::sqrt(normal.x * normal.x + normal.y * normal.y);
-    if (length < 0.7 || count() >= kMostNotes) return;  // the surface is a floor or a ceiling, or the notes are full
+    // The surface is a floor or a ceiling, or there are already kMostNotes notes.
+    if (length < 0.7 || count() >= kMostNotes) return;
     const Vec3 level(normal.x / length, normal.y / length, 0.0);
-    // At least the width of a spot, so that neighbouring spots leave no gap.
+    // The reach is at least the width of a spot, so that neighbouring spots leave no gap.
     const double reach = std::max(reach_m, kSpot_m);
     double& reached =
         spots_.try_emplace(spot_of(point_m, 1 + nearest_eighth(std::atan2(level.y, level.x))), 0.0).first->second;
@@ -195,7 +196,7 @@ std::optional<Unexplored> nearest_unexplored(const Learnt& learnt, const Vec3& f
     for (std::size_t i = 0; i < place.walls.size(); ++i) {
         if (learnt.knows_wall(i)) continue;
         const WallSample& wall = place.walls[i];
-        // Skip samples that are farther away than the best one until now.
+        // Skip a sample that is farther away than the best sample until now.
         if (std::hypot(wall.point_m.x - feet_m.x, wall.point_m.y - feet_m.y) >= nearest_m) continue;
         if (unknown_walls.beside_m(wall) >= kUnknown_m) offer(wall.point_m, true, wall.feature);
     }
@@ -223,7 +224,7 @@ std::optional<Unexplored> nearest_unexplored(const Learnt& learnt, const Vec3& f
 
 std::vector<Lane> lanes_of(const Learnt& learnt) {
     const Place& place = learnt.place();
-    // Bounds of the room itself, without the margin of the grid.
+    // Computes the bounds of the room itself, without the margin of the grid.
     int x0 = place.wide, y0 = place.deep, x1 = -1, y1 = -1;
     for (int y = 0; y < place.deep; ++y)
         for (int x = 0; x < place.wide; ++x)

@@ -1,7 +1,7 @@
 // Measures how much of a room the person has learnt: which walls were touched, which floor was walked, and what is
 // left. A Place is a room of the world's room graph: the floor where the walker can stand, extended to the walls. Plain
-// state and pure functions; app thread; world metres. Cost: notes cost almost nothing. Examining a room casts a few
-// rays for each cell along its walls, once, on the first query.
+// state and pure functions for the app thread, in world metres. Adding a note costs almost nothing. Examining a room
+// casts a few rays for each cell along its walls, once, on the first query.
 #pragma once
 
 #include <optional>
@@ -14,16 +14,16 @@
 
 namespace handrail::core {
 
-// A touch by the hand, or by a walker that trails a wall or bumps into it. It covers the wall for `reach_m` on either
-// side of the point.
+// A touch by the hand, or by a walker that trails a wall or bumps into it. The touch covers the wall for `reach_m` on
+// either side of `point_m`.
 struct TouchNote {
     Vec3 point_m{0.0};
-    Vec3 normal{0.0};  // horizontal; points out of the wall
+    Vec3 normal{0.0};  // normal of the wall; horizontal, points out of the wall
     double reach_m = 0.0;
 };
 
 // All touches and steps of a session. A repetition within the same spot of a few centimetres is not stored again, so
-// that even a long session fits.
+// that memory is enough even for a long session.
 class LearningNotes {
 public:
     void touched(const Vec3& point_m, const Vec3& normal, double reach_m);
@@ -31,7 +31,7 @@ public:
     const std::vector<TouchNote>& touches() const { return touches_; }
     const std::vector<Vec3>& steps_m() const { return steps_m_; }
     std::size_t count() const { return touches_.size() + steps_m_.size(); }
-    // True if any touch or step is inside the box.
+    // Returns true if any touch or step is inside the box.
     bool any_in(const Aabb& box) const;
 
 private:
@@ -45,10 +45,11 @@ struct WallSample {
     Vec3 point_m{0.0};
     Vec3 normal{0.0};
     FeatureId feature = kNoFeature;
-    double length_m = 0.0;  // length of wall; two cells may see a slanted wall, and then they share its length
+    // Length of wall that this sample stands for. If two cells see a slanted wall, they share its length.
+    double length_m = 0.0;
 };
 
-// An exit of a place. It counts as found once the person has touched what closes it or has been there.
+// An exit of a place. It is found once the person has touched what closes the exit, or has been there.
 struct PlaceExit {
     std::vector<FeatureId> features;  // all leaves of the door
     Vec3 at_m{0.0};
@@ -74,32 +75,33 @@ struct Place {
     }
     double area_m2() const;
 };
-// Makes the place to learn from a room. Its boundary consists of doors, open or shut, of other rooms, of drops and of
-// steps too high to climb. Free-standing objects do not count as walls. Its exits are the portals of the room and doors
-// that lead nowhere, but not edges with a drop.
+// Makes the place to learn from a room. The boundary of the place consists of walls, doors, open or shut, other rooms,
+// drops and steps too high to climb. Free-standing objects are not part of the boundary. Its exits are the portals of
+// the room and doors that lead nowhere, but not edges with a drop.
 Place place_of_room(const WalkerWorld& world, const navigation::WalkSpace& space, const navigation::RoomGraph& graph,
                     std::uint32_t room);
 
-// A place, and which parts of it the person knows.
+// A place, together with the parts of it that the person knows.
 class Learnt {
 public:
     explicit Learnt(Place place);
-    // Adds the notes since the last call. Costs nothing if there are none.
+    // Adds the notes that were made since the last call. If there are none, the call costs nothing.
     void lay(const LearningNotes& notes);
     const Place& place() const { return place_; }
     bool knows_wall(std::size_t wall) const { return known_[wall]; }
     bool walked(int x, int y) const {
         return place_.is_free(x, y) && walked_[place_.at(x, y)];
-    }  // true: within kFloorReach_m of the person's path
+    }  // returns true if the cell is within kFloorReach_m of the person's path
     bool along_lane(int x, int y) const {
         return place_.is_free(x, y) && beside_[place_.at(x, y)];
-    }  // true: nearer to the person's path than kFloorReach_m, so that it counts as walked along a lane
+    }  // returns true if the cell is so near to the person's path that a lane there is walked
     bool found(const PlaceExit& exit) const;
 
 private:
     Place place_;
-    std::vector<bool> known_, walked_, beside_, gone_to_;  // for each wall, cell, cell and exit, in this order
-    std::size_t touches_ = 0, steps_ = 0;                  // numbers of notes that lay() has used until now
+    // What the person knows of each wall, cell, cell and exit, in this order.
+    std::vector<bool> known_, walked_, beside_, gone_to_;
+    std::size_t touches_ = 0, steps_ = 0;  // numbers of touches and steps that lay() has used until now
 };
 
 struct WallProgress {
@@ -108,7 +110,7 @@ struct WallProgress {
     bool done() const { return touched_m >= 0.95 * length_m; }
 };
 struct Progress {
-    double perimeter_m = 0.0, touched_m = 0.0;  // includes doors and what stands against the walls
+    double perimeter_m = 0.0, touched_m = 0.0;  // both lengths include doors and what stands against the walls
     double floor_m2 = 0.0, walked_m2 = 0.0;     // walked: within half a metre of the person's path
     std::vector<WallProgress> walls;  // walls of at least the width of a hand, in the order of the boundary's features
     int exits = 0, exits_found = 0;
@@ -119,8 +121,8 @@ struct Progress {
 };
 Progress progress_of(const Learnt& learnt);
 
-// The nearest part that is not known yet: a stretch of wall of at least half a metre, or a floor area of at least half
-// a square metre. nearest_unexplored() returns no value if everything is known.
+// The nearest part of the place that the person does not know yet: a stretch of wall of at least half a metre, or a
+// floor area of at least half a square metre. nearest_unexplored() returns no value if the person knows everything.
 struct Unexplored {
     Vec3 point_m{0.0};
     bool wall = false;
@@ -128,8 +130,8 @@ struct Unexplored {
 };
 std::optional<Unexplored> nearest_unexplored(const Learnt& learnt, const Vec3& feet_m);
 
-// A lane: parallel strips across the whole place, one metre apart. The lanes that run north come first, then those that
-// run east. A lane is done once the person has walked along most of it.
+// One of the parallel strips, one metre apart, that cross the whole place. The lanes that run north come first, then
+// those that run east. A lane is done once the person has walked along most of it.
 struct Lane {
     bool north = true;
     double at_m = 0.0;  // x coordinate of a lane that runs north, y coordinate of a lane that runs east
@@ -138,7 +140,7 @@ struct Lane {
 };
 std::vector<Lane> lanes_of(const Learnt& learnt);
 
-// Floor within this distance on either side of the person's path counts as walked.
+// Floor within this distance on either side of the person's path has been walked.
 inline constexpr double kFloorReach_m = 0.5;
 
 }  // namespace handrail::core

@@ -23,8 +23,8 @@ constexpr double kFarthest_m = 1e5;  // no coordinate in a world is larger than 
 double rounded(double value, double steps_per_unit) { return std::round(value * steps_per_unit) / steps_per_unit; }
 double millimetres(double metres) { return rounded(metres, 1e3); }
 
-// Returns the numbers of `key` if they form rows of `each` numbers, and an empty list if the key is missing. Otherwise
-// returns no value.
+// Returns the numbers of `key` if they form rows of `each` numbers, and an empty list if `key` is missing. Returns no
+// value if the numbers do not form such rows.
 std::optional<std::vector<double>> rows_of(const SideEntry& entry, const char* key, std::size_t each) {
     const auto found = entry.find(key);
     if (found == entry.end()) return std::vector<double>();
@@ -110,9 +110,12 @@ void write_learnt(SideFile& file, const KeptLearning& kept) {
     entry["sessions"] = static_cast<std::int64_t>(kept.sessions);
     entry["spent_s"] = rounded(kept.spent_s, 10.0);
     for (auto& [key, numbers] : {std::pair{"steps_m", &steps}, std::pair{"touches", &touches}})
-        if (numbers->empty()) entry.erase(key);  // in TOML, an empty list does not show that it is a list of numbers
+        // Remove the empty list, because TOML does not show that it is a list of numbers.
+        if (numbers->empty()) entry.erase(key);
         else entry[key] = std::move(*numbers);
-    all.resize(1);  // two sessions at the same time may have made two entries; the first entry now contains both
+    // Two sessions that ran at the same time may have made two entries. The first entry now contains both, so the other
+    // one is removed.
+    all.resize(1);
     file.set_entries("learnt", all);
     std::vector<SideEntry> rooms = file.entries("learnt_room");
     for (const KeptRoom& room : kept.rooms) {

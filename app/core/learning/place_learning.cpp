@@ -165,7 +165,7 @@ void PlaceLearning::spend_time() {
     if (rooms_.here() != navigation::kNothing) room(rooms_.here()).spent_s += std::exchange(state_.unplaced_s, 0.0);
 }
 
-// Returns the progress in a room, updated with all notes until now.
+// Returns what is known of a room, updated with all notes until now.
 const Learnt& PlaceLearning::learnt_of(std::uint32_t number) {
     std::optional<Learnt>& learnt = room(number).learnt;
     if (!learnt)
@@ -182,7 +182,7 @@ bool PlaceLearning::in_known_room(double now_s) {
     return rooms_.here() != navigation::kNothing;
 }
 
-// Returns the reason why nothing can be said about the present room.
+// Returns the reason why there is no information about the present room.
 std::string PlaceLearning::no_room_words() const {
     if (!rooms_.looked_for()) return phrase("rooms.not_known");
     return rooms_.found() ? phrase("rooms.nowhere") : rooms_.problem();
@@ -275,7 +275,7 @@ void PlaceLearning::toggle(double now_s) {
     if (known) {
         state_.room = rooms_.here();
         RoomLearning& here = room(rooms_.here());
-        if (here.remembered && here.base_m) {  // the guidance continues from the same base
+        if (here.remembered && here.base_m) {  // the guided mode continues from the same base
             context_.answer(
                 phrase("learning.goes_on_here", {{"room", sentence_case(rooms_.graph().rooms[rooms_.here()].name)},
                                                  {"share", share_words(progress_of(learnt_of(rooms_.here())))},
@@ -305,8 +305,8 @@ std::string PlaceLearning::to_base_words(const RoomLearning& room) const {
     return phrase("learning.to_base", {{"where", where_words(context_, distance_m, std::atan2(base.x, base.y))}});
 }
 
-// In the guided mode, the person returns to the base after each wall. Once there, this function announces the next
-// stretch of wall.
+// In the guided mode, the person returns to the base after each wall. When the person is there, this function announces
+// the next stretch of wall.
 void PlaceLearning::back_at_base(double now_s) {
     if (!state_.on || state_.room == navigation::kNothing || rooms_.here() != state_.room) return;
     RoomLearning& here = room(state_.room);
@@ -332,8 +332,8 @@ void PlaceLearning::back_at_base(double now_s) {
     context_.answer(std::move(text), now_s);
 }
 
-// Once all lanes are walked, asks how things lie relative to each other. Returns false if it is too early or if this
-// room offers no questions.
+// Once all lanes are walked, asks the person where things are relative to each other. Returns false if it is too early
+// or if this room offers no questions.
 bool PlaceLearning::ask_relations(double now_s) {
     if (state_.room == navigation::kNothing || rooms_.here() != state_.room) return false;
     RoomLearning& here = room(state_.room);
@@ -377,7 +377,7 @@ void PlaceLearning::guide(double now_s) {
     const Learnt& learnt = learnt_of(rooms_.here());
     const Progress progress = progress_of(learnt);
     RoomLearning& room = this->room(rooms_.here());
-    if (std::exchange(room.remembered, false))  // an earlier session has already announced these walls
+    if (std::exchange(room.remembered, false))  // An earlier session has already announced these walls.
         for (const WallProgress& wall : progress.walls)
             if (wall.done()) room.done.push_back(wall.feature);
     if (rooms_.here() != std::exchange(state_.room, rooms_.here())) {
@@ -400,7 +400,7 @@ void PlaceLearning::guide(double now_s) {
                                                          {"done", done},
                                                          {"walls", progress.walls.size()}});
         if (room.base_m && static_cast<std::size_t>(done) < progress.walls.size() && !at_base(room)) {
-            room.to_base = true;  // the person is to return to the base after each wall
+            room.to_base = true;  // The person has to return to the base after each wall.
             text += " " + to_base_words(room);
         }
         context_.answer(std::move(text), now_s);

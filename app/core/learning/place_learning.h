@@ -1,6 +1,6 @@
-// Learning a place: notes what hand and walker touch and walk on, and announces how much of a room is known and what is
-// left. The guided mode leads the person from wall to wall and from lane to lane. learning.h does the measuring. App
-// thread only.
+// Helps the person to learn a place. The class notes what hand and walker touch and walk on, and announces how much of
+// a room is known and what is left. The guided mode leads the person from wall to wall and from lane to lane.
+// learning.h does the measuring. Use the class on the app thread only.
 #pragma once
 
 #include <functional>
@@ -22,25 +22,26 @@ public:
     // Announces the stored progress in this world, or why it cannot be read. Call it after the world has been
     // announced.
     void tell_kept(double now_s);
-    // Reads the stored progress again. Call it when another session has saved more about the same world.
+    // Reads the stored progress again. Call it when another session has saved more progress in the same world.
     void take_again();
-    // Writes new progress to the side file, if the person wants it to be remembered.
+    // Writes new progress to the side file, if the person wants progress to be remembered.
     void keep(double now_s);
-    // Handles the commands Unexplored, ProgressReport, LearnPlace and LearntRooms. Returns false for other commands.
+    // Carries out the commands Unexplored, ProgressReport, LearnPlace and LearntRooms. Returns false for other
+    // commands.
     bool act(Command command, double now_s);
-    // Notes the positions of hand and walker; call it once a tick. `bumped` is the normal of the wall that the walker
-    // bumped into, `trailed` the normal of the wall that it follows.
+    // Notes the positions of hand and walker. Call it once a tick. `bumped` is the normal of the wall that the walker
+    // bumped into. `trailed` is the normal of the wall that the walker follows.
     void note(const std::optional<Vec3>& bumped, const std::optional<Vec3>& trailed, double now_s);
     // In the guided mode, announces the walls and lanes that are complete.
     void tick(double now_s);
-    // Returns how much of the present room is known, or why that is not available.
+    // Returns how much of the present room is known, or why the progress is not available.
     std::string progress_words(double now_s);
 
     // Returns the progress in a room of the room graph. Valid only once the rooms have been found.
     Progress progress_in(std::uint32_t room) { return progress_of(learnt_of(room)); }
 
-    // Set by the session. It is called when the person has chosen a room to go to, with the number of the room in the
-    // room graph.
+    // The session sets this function. It is called when the person has chosen a room to go to, with the number of the
+    // room in the room graph.
     std::function<void(std::uint32_t room, double now_s)> on_go_to_room;
 
 private:

@@ -1,4 +1,5 @@
-// Makes the Place of learning.h from a room: its floor as a grid, with the walls around it. App thread.
+// Makes the Place of learning.h from a room: its floor as a grid, with the walls around it. The app thread calls this
+// code.
 #include <algorithm>
 #include <array>
 #include <cmath>
