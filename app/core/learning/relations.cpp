@@ -42,7 +42,7 @@ std::vector<RelationQuestion> relation_questions(const SessionContext& context, 
         const Vec3 to = feature.bounds_m.centre_m() - base_m;
         const double distance_m = std::hypot(to.x, to.y);
         if (distance_m < kNearest_m) continue;
-        const double bearing = std::atan2(to.x, to.y);  // angle clockwise from north
+        const double bearing = std::atan2(to.x, to.y);  // angle of the thing clockwise from north, seen from the base
         const auto quarter = std::lround(bearing / (0.5 * kPi));
         if (std::abs(bearing - static_cast<double>(quarter) * 0.5 * kPi) > kOff_rad) continue;
         if (room_of(rooms, feature.bounds_m) != room) continue;

@@ -1,5 +1,6 @@
-// Questions about the directions of things in a room, for a person who stands at its base and faces north. They are the
-// last part of learning a place. Pure functions over a room graph that has been found; app thread; world metres.
+// Makes questions about the directions of things in a room, for a person who stands at the base of the room and faces
+// north. They are the last part of learning a place. Pure functions over a room graph that has been found, for the app
+// thread, in world metres.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +11,7 @@
 
 namespace handrail::core {
 
-// Clockwise, in the order of the list.
+// The sides are listed clockwise.
 enum class Quarter : std::uint8_t { Ahead, Right, Behind, Left };
 std::string side_words(Quarter side);
 
@@ -19,8 +20,9 @@ struct RelationQuestion {
     Quarter right = Quarter::Ahead;
     double distance_m = 0.0;  // distance of the thing from the base
 };
-// Returns at most three questions about things and doors. Each has a unique name and is clearly to one side: at least
-// 1.5 m from the base and within 30 degrees of that side's direction. The same room gives the same questions.
+// Returns at most three questions about things and doors. Each thing has a unique name and is clearly to one side: at
+// least
+// 1.5 m from the base and within 30 degrees of the direction of that side. The same room gives the same questions.
 std::vector<RelationQuestion> relation_questions(const SessionContext& context, const Rooms& rooms, std::uint32_t room,
                                                  const Vec3& base_m);
 

@@ -11,7 +11,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr std::size_t kMostPoints = 100'000;  // enough for 25 km
+constexpr std::size_t kMostPoints = 100'000;  // largest number of points, enough for 25 km
 constexpr std::size_t kMostTold = 2;
 
 SideEntry* entry_of(std::vector<SideEntry>& ways, const std::string& goal) {
@@ -30,7 +30,7 @@ std::vector<SideTable> turns_of(const SideEntry& way) {
 
 void RouteMemory::see(const SessionEvent& event) {
     std::visit(Overloaded{[&](const Led& led) {
-                              // The same guidance was announced again.
+                              // The guidance was only announced again, so nothing begins anew.
                               if (led.goal == going_.goal && !going_.arrived) return;
                               going_ = {led.goal, {}, true, false};
                           },

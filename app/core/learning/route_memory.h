@@ -1,7 +1,7 @@
 // Remembers errors during earlier guidance to goals: where the person turned too early or passed a turn. If the person
-// wants that, the world's side file stores them (list `learnt_way`). When guidance to the same goal begins again, the
-// errors are announced. A route that was walked without such an error counts as learnt, and its earlier errors are
-// forgotten. App thread only.
+// wants errors to be remembered, the world's side file stores them (list `learnt_way`). When guidance to the same goal
+// begins again, the errors are announced. After a walk without such an error, the route is learnt, and its earlier
+// errors are forgotten. Use this class on the app thread only.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ public:
     RouteMemory& operator=(const RouteMemory&) = delete;
 
     void enter_world() { going_ = {}; }
-    // Call it with every event of the session.
+    // Notes an event. Call it with every event of the session.
     void see(const SessionEvent& event);
     // Notes the walker's position. Announces the remembered errors when guidance begins, and evaluates a route when the
     // person has arrived. Call it once a tick.

@@ -1,4 +1,4 @@
-// Words for the times of learning and hunting. Pure; any thread.
+// Puts the times of learning and hunting into words. A pure function, which any thread may call.
 #pragma once
 
 #include <string>

@@ -91,7 +91,7 @@ void Exercise::ask_again(double now_s) {
     if (question_->kind == TeacherActed::Kind::Order) return open_order(now_s);
     TextSpec text;
     text.question = question_->text;
-    // Nothing more is needed here, because the session reports every answered question.
+    // The session reports every answered question as an event, so nothing more is needed here.
     text.done = [this](const std::string&) { question_.reset(); };
     context_.ask_text(std::move(text), now_s);
 }
@@ -128,8 +128,8 @@ void Exercise::open_order(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// Answers with the direction in which the hand has moved since the question. If the hand has not moved, the direction
-// is the one that the person faces. In degrees clockwise from north.
+// Answers with the direction in which the hand has moved since the question, in degrees clockwise from north. If the
+// hand has not moved, the answer is the direction that the person faces.
 void Exercise::point(double now_s) {
     double heading_rad = context_.body.heading_rad;
     if (question_->hand_m && context_.hands.known()) {

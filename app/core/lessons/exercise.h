@@ -1,6 +1,6 @@
-// An instructor's lesson on the side of the learner. It announces and repeats tasks, asks questions, which the learner
-// answers by typing, choosing, facing or pointing, and passes on requests to the teacher. It does not know lesson
-// files. The listener for Answered and LessonWished decides what follows. App thread only.
+// Runs an instructor's lesson on the side of the learner. It announces and repeats tasks, and passes on requests to the
+// teacher. It asks questions, which the learner answers by typing, choosing, facing or pointing. It does not know
+// lesson files. The listener for Answered and LessonWished decides what follows. Use it on the app thread only.
 #pragma once
 
 #include <cstddef>
@@ -16,22 +16,22 @@ namespace handrail::core {
 
 class Exercise {
 public:
-    static constexpr double kPointed_m = 0.01;  // least movement of the hand on the device that counts as pointing
+    static constexpr double kPointed_m = 0.01;  // least movement of the hand on the device that is taken as pointing
 
     explicit Exercise(const SessionContext& context) : context_(context) {}
     Exercise(const Exercise&) = delete;  // not copyable, because open lists keep the address of this object
     Exercise& operator=(const Exercise&) = delete;
 
     void enter_world();
-    // Call it once a tick.
+    // Notes the position of the hand for the open question. Call it once a tick.
     void tick();
-    // Handles all kinds of acts except Lead, Leave, Block and Open, which belong to other features.
+    // Carries out all kinds of acts except Lead, Leave, Block and Open, which belong to other features.
     void take(const TeacherActed& act, double now_s);
-    // Handles the commands Task, TaskDone and Learners. Returns false for other commands.
+    // Carries out the commands Task, TaskDone and Learners. Returns false for other commands.
     bool act(Command command, double now_s);
     bool under_way() const { return under_way_; }
 
-    // Set by the session. It opens the list in which an instructor prepares a lesson.
+    // The session sets this function. It opens the list in which an instructor prepares a lesson.
     std::function<void(double now_s)> on_prepare;
 
 private:
@@ -53,8 +53,8 @@ private:
         std::string text;
         std::vector<std::string> items;
         std::vector<std::size_t> chosen;
-        // Position of the hand when the question was asked, or when the hand first became known afterwards. In the
-        // device frame, because walker and workspace may move meanwhile.
+        // Position of the hand when the question was asked, or when the hand first became known after that. It is in
+        // the device frame, because walker and workspace may move meanwhile.
         std::optional<Vec3> hand_m;
     };
     std::optional<Question> question_;

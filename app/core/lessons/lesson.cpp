@@ -10,7 +10,7 @@ namespace {
 
 using enum LessonGoal;
 
-constexpr double kMiddle_m = 0.025;  // the hand is at the middle within this distance; hand metres
+constexpr double kMiddle_m = 0.025;  // hand metres; within this distance, the hand is at the middle of its workspace
 
 constexpr std::array kFindWall{
     LessonStep{MeetWall, "lesson.find_wall.hand", "lesson.find_wall.body", "lesson.find_wall.done"}};

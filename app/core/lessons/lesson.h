@@ -1,6 +1,6 @@
-// Lessons of a few steps each, for the tutorial and the first minutes. A lesson announces each step, and the step ends
-// when the person has done it; there is no time limit. This is a pure state machine: it receives what the person met
-// and which commands were given, and returns what to announce. App thread.
+// Defines lessons of a few steps each, for the tutorial and the first minutes. A lesson announces each step, and the
+// step ends when the person has done it. There is no time limit. LessonRun is a pure state machine: it receives what
+// the person met and which commands were given, and returns what to announce. Use it on the app thread.
 #pragma once
 
 #include <optional>
@@ -33,9 +33,9 @@ enum class LessonGoal {
 
 struct LessonStep {
     LessonGoal goal;
-    // These are keys of texts.
+    // All members are keys of texts.
     std::string_view hand;  // announced to a person whose hand is on a device, real or simulated
-    // Announced to a person who walks by keys only; empty: for such a person, the step is skipped.
+    // Announced to a person who walks by keys only. If it is empty, the step is skipped for such a person.
     std::string_view body;
     std::string_view praise;  // announced when the step is done
     std::string_view named{};
@@ -69,7 +69,7 @@ struct LessonReply {
     bool done = false;        // true: a step is done
     bool begin_here = false;  // true: the session must place the workspace where the hand is now
     bool at_once = false;     // true: the praise comes before the name of the thing that was met
-    bool set_up = false;      // true: the owner must begin the set-up
+    bool set_up = false;      // true: the praise is announced before the name of the thing that was met
     bool finished = false;
 };
 

@@ -12,7 +12,7 @@
 namespace handrail::core {
 namespace {
 
-// Delay of an announcement, so that a name being spoken at the same time is heard first.
+// Delay of an announcement, so that a name being spoken at the same time can end first.
 constexpr double kAfterName_s = 1.5;
 
 }  // namespace
@@ -154,7 +154,7 @@ bool LessonSession::takes(Command command, double now_s) {
         context_.answer(run_->instruction(), now_s);
         return true;
     }
-    // A person who gives another command already knows how to proceed, so the lesson ends.
+    // A person who gives another command already knows what to do, so the lesson ends.
     if (command != Command::StopSpeech && command != Command::StopEverything && command != Command::VerbosityCycle)
         leave(now_s);
     return false;

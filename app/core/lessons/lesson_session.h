@@ -1,5 +1,5 @@
-// Connects lessons and the first minutes to a session. It collects the events that lessons need, says what they
-// announce, and begins what follows them. App thread only.
+// Connects lessons and the first minutes to a session. It collects the events that lessons need, says what the lessons
+// announce, and begins what follows a lesson. Use it on the app thread only.
 #pragma once
 
 #include <functional>
@@ -17,8 +17,8 @@ namespace handrail::core {
 
 class LessonSession : SessionPart {
 public:
-    // `asked_to_leave` is shared with the session. So if the person has already asked to leave before the lesson began,
-    // that counts.
+    // `asked_to_leave` is shared with the session. So if the person asked to leave shortly before the lesson began, a
+    // second request during the lesson leaves at once.
     LessonSession(const SessionContext& context, LeaveRequested& asked_to_leave);
 
     // Begins the first minutes, before a world is entered or in a world, at the step where the person left them.
@@ -26,32 +26,34 @@ public:
     // voice when the session requests it; otherwise that step is skipped.
     void begin_first_minutes(const std::string& who_speaks, bool owner_sets_up, double now_s);
     // Ends the first minutes, because the person does not want them or can no longer answer. The session then greets
-    // the person in the world as usual.
+    // the person in the world as after any start.
     void leave(double now_s);
-    // True if the first minutes have not yet reached the step that greets the person in the world.
+    // Returns true if the first minutes have not yet reached the step that greets the person in the world.
     bool greeting_waits() const;
-    // Call it when the set-up that the first minutes requested from the owner has ended or the person has left it.
+    // Call it when the set-up that the first minutes requested from the owner has ended or the person has left the
+    // set-up.
     void know_set_up_over() { set_up_over_ = true; }
 
-    // Call it before a command is carried out. Returns true if the lesson used the command or does not permit it.
+    // Returns true if the lesson used the command or does not permit it. Call it before a command is carried out.
     bool takes(Command command, double now_s);
-    // Handles a line typed in a terminal, without surrounding blanks, while the first step waits for a key. Returns
-    // false if the line was not used.
+    // Processes a line typed in a terminal, without surrounding blanks, while the first step waits for a key. Returns
+    // false if the lesson did not use the line.
     bool take_line(std::string_view line, double now_s);
     // Notes a command or a bump for the next tick.
     void note(Command command) { did_.push_back(command); }
     void note_bump(FeatureId feature) { bumped_.push_back(feature); }
-    // Handles the command that lists the lessons and the command that begins the first minutes again. Returns false for
-    // other commands.
+    // Carries out the command that lists the lessons and the command that begins the first minutes again. Returns false
+    // for other commands.
     bool act(Command command, double now_s);
     void tick(double now_s);
-    // Says once more what was cut off: the instruction of the present step, or the praise for the previous one.
+    // Says once more the announcement that was cut off: the instruction of the present step, or the praise for the
+    // previous one.
     void tell_anew(cues::SpeechTopic topic, double now_s);
-    // True if the lesson has evaluated everything that happened, and no announcement is waiting.
+    // Returns true if the lesson has evaluated everything that happened, and no announcement is waiting.
     bool idle() const;
 
-    // These functions are set by the session.
-    // The first returns true while the beacon sounds, the second while the walker is where it sounds or sounded last.
+    // The session sets these functions. `beacon_calls` returns true while the beacon sounds. `at_beacon` returns true
+    // while the walker is where the beacon sounds or sounded last.
     std::function<bool()> beacon_calls, at_beacon;
     std::function<std::string()> world_greeting;      // returns the greeting for the present world
     std::function<void(double now_s)> on_begin_here;  // places the workspace where the hand is now

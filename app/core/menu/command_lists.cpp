@@ -41,7 +41,7 @@ std::string setting_of_keys(Command command) { return "keys." + std::string(info
 
 std::string counted(std::size_t commands) { return phrase("menu.commands", {{"count", commands}}); }
 
-// True if a typed text may be the name of a key. In a window, the person presses the key itself.
+// Returns true if a typed text may be the name of a key. In a window, the person presses the key instead.
 bool may_be_key(std::string_view name) {
     const auto fits = [](char c) {
         return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+';
@@ -123,7 +123,7 @@ void CommandLists::open_rebinding(Command command, double now_s) {
                   {phrase("menu.first_key"), {}, false}};
     list.stays_open = true;
     list.chosen = [this, command](std::size_t i) {
-        context_.lists.dialogue.key("Escape", context_.tick_s);  // returns to the list of commands
+        context_.lists.dialogue.key("Escape", context_.tick_s);  // The key Escape returns to the list of commands.
         if (i == 2) {
             const std::string built_in(context_.keys.default_keys(command));
             context_.set(setting_of_keys(command), built_in.empty() ? "none" : built_in, context_.tick_s);

@@ -1,4 +1,4 @@
-// A list of the languages that can be spoken. Each language has its own name for itself. App thread only.
+// Lists the languages that can be spoken, each under its own name for itself. Use it on the app thread only.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@ class LanguageList : SessionPart {
 public:
     explicit LanguageList(const SessionContext& context) : SessionPart(context) {}
 
-    // Sets the folder of the person's own language files. Without it, only the bundled languages are listed.
+    // Sets the folder of the person's own language files. Without a folder, only the bundled languages are listed.
     void find_in(const std::filesystem::path& folder) { folder_ = folder; }
     const std::filesystem::path& folder() const { return folder_; }
     void open(double now_s);

@@ -1,5 +1,5 @@
-// The menu, which leads to everything else through lists. It owns the lists of commands, worlds, languages and reports.
-// App thread only.
+// Opens the menu, which leads to all other features through lists. It owns the lists of commands, worlds, languages and
+// reports. Use it on the app thread only.
 #pragma once
 
 #include <string>
@@ -17,8 +17,8 @@ public:
     explicit Menu(const SessionContext& context)
         : SessionPart(context), commands_(context), worlds_(context), languages_(context), reports_(context) {}
 
-    // Handles the commands for the menu, the list of keys, input help, languages and devices. Returns false for other
-    // commands.
+    // Carries out the commands for the menu, the list of keys, input help, languages and devices. Returns false for
+    // other commands.
     bool act(Command command, double now_s);
 
     CommandLists& commands() { return commands_; }

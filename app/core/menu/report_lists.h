@@ -1,5 +1,5 @@
-// Reports about the program itself, as lists that the person reads line by line: connected devices, what is known of a
-// crashed session, and errors in the person's settings. App thread only.
+// Opens reports about the program itself, as lists that the person reads line by line: connected devices, what is known
+// of a crashed session, and errors in the person's settings. Use it on the app thread only.
 #pragma once
 
 #include <string>
@@ -14,12 +14,14 @@ class ReportLists : SessionPart {
 public:
     explicit ReportLists(const SessionContext& context) : SessionPart(context) {}
 
-    // Requests the list of connected devices. Looking for them takes a moment, so the owner of the session does it and
-    // then calls open_devices().
+    // Requests the list of connected devices. Finding the devices takes a moment, so the owner of the session does it
+    // and then calls open_devices().
     void ask_for_devices(double now_s);
-    // Opens the list of connected devices. `sentences` describe them, one each. The list begins with the hand in use.
+    // Opens the list of connected devices. `sentences` has one sentence for each device. The list begins with the hand
+    // in use.
     void open_devices(const std::vector<std::string>& sentences, double now_s);
-    // True if the list of devices is not pending: it has been announced, or the owner has not answered in time.
+    // Returns true if nobody is waiting for the list of devices: the list has been announced, or the owner has not
+    // answered in time.
     bool idle(double now_s) const { return now_s - asked_s_ > kAnswered_s; }
 
     void know_crash(std::vector<std::string> lines) { crash_ = std::move(lines); }
@@ -30,13 +32,14 @@ public:
     void open_settings_faults(double now_s);
 
 private:
-    // Opens a list of lines; Enter repeats a line. The list removes the full stop at the end of an item.
+    // Opens a list of lines. Enter repeats a line. Items of a list have no full stop at the end, so this function
+    // removes it.
     void open(std::string title, const std::vector<std::string>& lines, double now_s);
 
     static constexpr double kAnswered_s = 3.0;
 
     std::vector<std::string> crash_, faults_;
-    double asked_s_ = -1e9;  // when the person requested the devices, while they have not been announced
+    double asked_s_ = -1e9;  // time when the person requested the devices; reset once they have been announced
 };
 
 }  // namespace handrail::core

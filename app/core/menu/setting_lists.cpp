@@ -8,7 +8,7 @@ namespace handrail::core {
 
 namespace {
 
-// Returns the new value in words, or why it was refused.
+// Changes the setting. Returns the new value in words, or why the value was refused.
 std::string change_setting(const SessionContext& context, std::string_view key, const std::string& value) {
     const auto set = context.asks.set(key, value, context.tick_s);
     return set ? settings::setting_line(key, context.settings).value : set.error().message;

@@ -1,5 +1,5 @@
-// All settings as lists by topic. The person can hear each setting, change it step by step or type a value. Functions
-// of the context, to which the open lists keep a reference. App thread only.
+// Opens all settings as lists by topic. The person can hear each setting, change it step by step or type a value. These
+// are functions of the context, to which the open lists keep a reference. Call them on the app thread only.
 #pragma once
 
 #include "app/core/context/session_context.h"

@@ -1,5 +1,5 @@
-// The list of what is simplified for the hand at the present scale. TouchView decides what is simplified. App thread
-// only.
+// Lists what is simplified for the hand at the present scale. TouchView decides what is simplified. Use it on the app
+// thread only.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ public:
     void open(const compile::Simplification& plan, const OpenPortals& portals,
               std::span<const compile::CoarserMesh> coarser, double now_s);
 
-    // Set by the session. It is called when the person has chosen an item, to find it or go to it.
+    // The session sets this function. It is called when the person has chosen an item, to find it or go to it.
     std::function<void(const Goal& goal, double now_s)> on_choose;
 
 private:

@@ -37,7 +37,7 @@ void open_understood(const SessionContext& context, std::function<void(const Goa
     if (scene.stated) {
         const HonestReport report = honest_report(scene);
         HonestReport counts = report;
-        counts.check.clear();  // the loop below makes an item from each of these
+        counts.check.clear();  // The loop below makes an item from each of these sentences.
         add(honest_sentence(scene, counts));
         for (const CheckPoint& point : report.check) {
             const std::string what = sentence_case(check_words(scene, point));
@@ -48,7 +48,7 @@ void open_understood(const SessionContext& context, std::function<void(const Goa
         add(phrase("honest.nothing_stated"));
     }
     add(honest_counts(scene.report));
-    list.stays_open = true;  // stays open, so that the person can go from one place to the next
+    list.stays_open = true;  // The list stays open, so that the person can go from one place to the next.
     list.chosen = [goals, on_choose = std::move(on_choose), &context, items = list.items](std::size_t i) {
         if (goals[i]) on_choose(*goals[i], context.tick_s);
         else context.answer(items[i].name, context.tick_s);

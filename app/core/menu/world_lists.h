@@ -1,5 +1,5 @@
-// Lists of worlds to choose from: the worlds visited before, the worlds that come with the program, and the worlds in
-// any folder. App thread only.
+// Lists the worlds to choose from: the worlds visited before, the worlds that come with the program, and the worlds in
+// any folder. Use it on the app thread only.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ public:
     void open(double now_s);
     // Announces the world, and requests that the owner read and enter it.
     void go_to(const std::filesystem::path& file);
-    // Returns the file of the bundled world with this name, which has no extension.
+    // Returns the file of the bundled world with the name `stem`, which has no extension.
     std::optional<std::filesystem::path> bundled(std::string_view stem) const;
 
 private:

@@ -17,21 +17,22 @@
 namespace handrail::core {
 namespace {
 
-// The hand can still operate a door from which it has bounced off by this distance, while the person hears the door's
-// name.
+// Hand metres. While the name of a door is being announced, the hand may bounce off by this distance and still operate
+// the door.
 constexpr double kBounced_hand_m = 0.015;
 // A walker farther than this from the bounding box of a thing cannot stand on the thing.
 constexpr double kNearThing_m = 0.1;
-// If a door shuts within this distance, the person may be about to pass it, so its announcement is a warning.
+// If a door shuts within this distance of the walker, the person may be about to pass it, so its announcement is a
+// warning.
 constexpr double kBesideOne_m = 3.0;
-// Length of each step and of all steps by which a walker on the threshold of a lift moves inwards.
+// When a walker on the threshold of a lift moves inwards: length of each step, and of all steps together.
 constexpr double kInwards_m = 0.05, kMostInwards_m = 0.6;
-constexpr double kCeiling = -0.7;  // surfaces whose normal has a smaller z count as overhead
+constexpr double kCeiling = -0.7;  // a surface is overhead if the z component of its normal is smaller than this
 
 Aabb box_of(const Scene& scene, FeatureId feature) { return scene.features[feature.value].bounds_m; }
 
-// True if two boxes overlap. Touching borders do not count, as in clip.h: a walker that stands next to a lift, level
-// with its floor, does not block it.
+// Returns true if two boxes overlap. Boxes that only touch do not overlap, as in clip.h: a walker that stands next to a
+// lift, level with its floor, does not block it.
 bool overlap(const Aabb& a, const Aabb& b) {
     return a.min_m.x < b.max_m.x && b.min_m.x < a.max_m.x && a.min_m.y < b.max_m.y && b.min_m.y < a.max_m.y &&
            a.min_m.z < b.max_m.z && b.min_m.z < a.max_m.z;
@@ -50,15 +51,16 @@ Aabb grown(Aabb box, double by_m) {
     return box;
 }
 
-// Returns how a walker stands on a thing of the scene, or Riding::Not.
+// Returns how a walker stands on `thing`. If the walker does not stand on it, returns Riding::Not.
 Riding rides(const PlacedModel& thing, const Placement& at, const Vec3& feet_m, const WalkerShape& body) {
     if (!overlap(grown(placed_bounds(thing.model->bounds_m, at), kNearThing_m), body_box(feet_m, body)))
         return Riding::Not;
     return riding(thing.model, at, feet_m, body);
 }
 
-// True if a door leaf may pass through the walker. A leaf that opens never blocks a walker. A leaf that shuts is
-// blocked only by a walker that stands where the leaf comes to rest. Any other walker in its path steps aside.
+// Returns true if a door leaf may pass through the walker. A leaf that opens never blocks a walker. A leaf that shuts
+// is blocked only by a walker that stands where the leaf comes to rest. Any other walker in its path is treated as
+// stepping aside.
 bool passes_body(const Feature& feature, const PlacedModel& leaf, const std::optional<Placement>& comes_to_rest,
                  const Vec3& feet_m, const WalkerShape& body) {
     if (feature.kind != FeatureKind::Door) return false;
@@ -66,14 +68,14 @@ bool passes_body(const Feature& feature, const PlacedModel& leaf, const std::opt
            !meets_body(leaf.model, *comes_to_rest, feet_m, body);
 }
 
-// True for a hinged leaf that is opened by hand.
+// Returns true for a hinged leaf that is opened by hand.
 bool swings_by_hand(const Scene& scene, const Mover& mover) {
     return mover.by_hand && mover.swing_rad != 0.0 && scene.features[mover.feature.value].kind == FeatureKind::Door;
 }
 
-// True if two things may pass through each other: the leaves of one door, things for which the author of the world
-// permits it, a lift and its own doors, and two hinged doors. In narrow corridors, the leaf of one door may touch the
-// open leaf of another. A real person who opens it would move both.
+// Returns true if two things may pass through each other. These are the leaves of one door, things for which the author
+// of the world permits it, a lift and its own doors, and two hinged doors. In narrow corridors, the leaf of one door
+// may touch the open leaf of another. A real person who opens the door would move both.
 bool let_through(const Scene& scene, std::uint32_t a, std::uint32_t b) {
     const Mover &one = scene.movers[a], &other = scene.movers[b];
     if (swings_by_hand(scene, one) && swings_by_hand(scene, other)) return true;
@@ -82,7 +84,7 @@ bool let_through(const Scene& scene, std::uint32_t a, std::uint32_t b) {
 }
 
 // Returns the name of the storey that is level with the lift's floor when the lift is at the height `z_m`. `thing` is
-// the index of the lift among the placed things. Empty if the file names no storey at that height.
+// the index of the lift among the placed things. The name is empty if the file names no storey at that height.
 std::string storey_words(const Scene& scene, int thing, double z_m) {
     constexpr double kLevel_m = 0.1;
     if (!scene.stated || thing < 0) return {};
@@ -92,9 +94,9 @@ std::string storey_words(const Scene& scene, int thing, double z_m) {
     return {};
 }
 
-// Returns the announcement that a mover has stopped. It contains the storey if the file names it. Otherwise it says "at
-// the top" or "at the bottom" if the ends of the path differ by a metre or more in height. A horizontal mover has only
-// stopped.
+// Returns the announcement that a mover has stopped. The announcement contains the storey if the file names it.
+// Otherwise it says "at the top" or "at the bottom" if the ends of the path differ by a metre or more in height. For a
+// horizontal mover, it says only that the mover has stopped.
 std::string stops_words(const Mover& mover, const std::string& storey, double z_m, const std::string& name) {
     if (!storey.empty()) return phrase("movers.stops_at", {{"name", name}, {"storey", storey}});
     const double low_m = mover.pivot_m.z + std::min(0.0, mover.slide_m.z), way_m = std::abs(mover.slide_m.z);
@@ -134,7 +136,8 @@ void Doors::press(std::uint32_t mover, bool back_again, double now_s) {
             return context_.say(
                 phrase("movers.rides_to", {{"name", sentence_case(spoken_name(feature))}, {"storey", storey}}),
                 cues::SpeechClass::Contact, now_s);
-    if (world_.thing_of_mover[mover] >= 0) return;  // the movement of a placed thing is announced while it moves
+    // A placed thing is announced while it moves, so this announcement is not needed.
+    if (world_.thing_of_mover[mover] >= 0) return;
     cues::CueRequest sound;
     sound.kind = cues::CueRequestKind::Play;
     sound.sound = cues::SoundKind::DoorMoves;
@@ -207,7 +210,7 @@ int Doors::leaf_at_body() const {
     return nearest;
 }
 
-// Chooses what to operate, in this order:
+// Operates one thing, which it chooses in this order:
 // 1. what the hand touches;
 // 2. the lift on which the walker stands;
 // 3. a shut door that was announced on an earlier route, if the walker or the hand is still close to it;
@@ -260,7 +263,7 @@ bool Doors::block(FeatureId feature, bool blocked) {
     return true;
 }
 
-// Describes what opens the door: the key, or the place of the button nearest to the walker.
+// Describes how the door can be opened: the key to press, or the place of the button nearest to the walker.
 std::string Doors::shut_words(std::uint32_t mover) const {
     const Mover& door = world_.scene->movers[mover];
     const std::string name = sentence_case(name_of(context_, door.feature));
@@ -294,7 +297,7 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
     if (goes_along) {
         const auto index = static_cast<std::int32_t>(thing(mover));
         if (way.z < 0.0) {
-            // A walker with one foot on the floor next to the thing would stay behind, so the walker is moved
+            // A walker with one foot on the floor next to the thing would be left behind. So the walker is moved
             // completely onto the thing.
             const Vec3 onto = onto_thing(placed_bounds(own.model->bounds_m, from), feet, body.radius_m);
             feet = world_.solids->trace(feet, feet + onto, body, false, index).end_m;
@@ -315,7 +318,8 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
     } else if (!passes_body(world_.scene->features[own.feature.value], own,
                             goes_shut ? std::optional(world_.movers.at_goal(mover)) : std::nullopt, feet, body) &&
                overlap(there, body_box(feet, body)) && meets_body(own.model, to, feet, body)) {
-        // A thing that already overlaps the walker may move away from the walker. But nothing may shut on a walker.
+        // A thing that already overlaps the walker may move away from the walker. A thing that shuts may never move
+        // against a walker.
         if (goes_shut || !meets_body(own.model, from, feet, body)) return Meeting::Body;
     }
 
@@ -382,13 +386,14 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
         if (event.kind == MoverEvent::Kind::Arrives) arrived_ = true;
         const Vec3 middle = feature.bounds_m.centre_m();
         const double distance_m = glm::length(middle - body_.feet_m());
-        // Only one leaf of a group is announced, and only if it is near. A locked door that waited for its button is
+        // Only one leaf of a group is announced, and only if it is near. If a locked door waited for its button, it is
         // announced at any distance.
         const bool first = std::none_of(world_.scene->movers.begin(), world_.scene->movers.begin() + event.mover,
                                         [&](const Mover& other) { return other.group == mover.group; });
         if (!first) continue;
         const bool opens = feature.kind == FeatureKind::Door, button = feature.kind == FeatureKind::Button;
-        // In the file, every door is shut. So "shut" means the place in the file, even if the door rests open.
+        // The world's file describes every door as shut. So "shut" means the position in the file, even if the door
+        // rests open.
         const bool at_shut = opens ? event.at_rest != mover.rests_far : event.at_rest;
         cues::CueRequest sound;
         sound.kind = cues::CueRequestKind::Play;
@@ -404,8 +409,8 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
             context_.cues.cue(std::move(sound));
             if (!speaks) continue;
             const std::string name = sentence_case(spoken_name(feature));
-            // The effect of a button is announced in the class Answer. In the class Contact, it and the announcement
-            // "button pressed" would replace each other.
+            // The effect of a button is announced in the class Answer. If it were in the class Contact, this
+            // announcement and "button pressed" would replace each other.
             const cues::SpeechClass as =
                 locked(world_, event.mover) ? cues::SpeechClass::Answer : cues::SpeechClass::Contact;
             if (event.kind == MoverEvent::Kind::Leaves)
@@ -436,8 +441,8 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
     }
 }
 
-// Handles a train or a turning part, which passes again and again. It makes a sound, but it is announced only if the
-// walker stands on it or in its path.
+// Announces a train or a turning part, which passes again and again. It makes a sound each time, but it is announced
+// only if the walker stands on it or in its path.
 void Doors::tell_endless(const MoverEvent& event, const Aabb& box_m, double now_s) {
     const Feature& feature = world_.scene->features[world_.scene->movers[event.mover].feature.value];
     const std::string name = sentence_case(spoken_name(feature));

@@ -1,5 +1,6 @@
-// Doors, lifts, buttons and trains. This class operates them, moves them together with a walker who stands on them, and
-// announces them. It also announces shut doors on the route. WorldState owns their positions. App thread only.
+// Operates doors, lifts, buttons and trains. This class moves them together with a walker who stands on them, and
+// announces them. It also announces shut doors on the route. WorldState owns their positions. Use this class on the app
+// thread only.
 #pragma once
 
 #include <span>
@@ -17,31 +18,32 @@ public:
     // Moves the things of `world`. Moves the walker in `body` if the walker stands on one of them.
     Doors(const SessionContext& context, WorldState& world, WalkerState& body);
 
-    // Handles the command Use. Returns false for other commands.
+    // Carries out the command Use. Returns false for other commands.
     bool act(Command command, double now_s);
     void tick(double now_s, double dt_s);
     // Returns true if anything that moves automatically has arrived since the last call.
     bool take_arrived() { return std::exchange(arrived_, false); }
-    // Operates a mover that was pressed by the hand or by a walker who walked against it. `back_again`: if it is an
-    // open door, it closes.
+    // Operates a mover that was pressed by the hand or by a walker who walked against it. If `back_again` is true and
+    // the mover is an open door, this function closes it.
     void press(std::uint32_t mover, bool back_again, double now_s);
 
     // Sends the lift on which the walker stands to this floor height, and announces it as `storey`. Returns false if
     // the walker is not on a lift, or if the lift is already there or does not stop there.
     bool ride_to(double floor_m, const std::string& storey, double now_s);
 
-    // Keeps a door shut against everything that would open it, or ends that. Returns false if the feature is not a
-    // mover.
+    // Keeps a door shut against everything that would open it. If `blocked` is false, no longer does so. Returns false
+    // if the feature is not a mover.
     bool block(FeatureId feature, bool blocked);
     bool blocked(std::uint32_t mover) const { return world_.movers.held_shut(mover); }
 
-    // Announces a shut door on the route and what opens it, once. Announces it again after it has been open.
+    // Announces once that a door on the route is shut, and what opens it. If the door has been open in between,
+    // announces it again.
     void tell_shut(FeatureId feature, double now_s);
     // Announces shut doors that the hand touches.
     void tell_touched(double now_s);
-    // Announces shut doors on the straight path from the walker to `ahead_m`, at floor level.
+    // Announces shut doors on the straight line from the walker to `ahead_m`, at floor level.
     void tell_ahead(const Vec3& ahead_m, double now_s);
-    // Call it for another route. Shut doors are then announced again.
+    // Forgets which shut doors were announced, so that they are announced again. Call it when there is another route.
     void forget_told() { told_.clear(); }
 
 private:

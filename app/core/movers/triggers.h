@@ -1,5 +1,5 @@
-// Volumes that act on a walker who enters them: liquids, and volumes that announce something, start a mover or move the
-// walker elsewhere. App thread only.
+// Applies the effects of volumes that a walker enters: liquids, and volumes that announce something, start a mover or
+// move the walker elsewhere. Use it on the app thread only.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@ public:
     void enter_world();
     void tick(double now_s);
 
-    // Set by the session. It is called when a teleporter moves the walker.
+    // The session sets this function. It is called when a teleporter moves the walker.
     std::function<void(const Vec3& feet_m, double heading_rad, double now_s)> on_leads_elsewhere;
 
 private:
@@ -25,7 +25,7 @@ private:
 
     WorldState& world_;
     std::vector<FeatureId> inside_;  // volumes that contain the walker
-    std::vector<FeatureId> told_;    // volumes that have made their announcement; each makes it once
+    std::vector<FeatureId> told_;    // volumes whose text has been announced; each text is announced only once
     std::vector<FeatureId> used_;    // volumes that act only once and have acted
 };
 

@@ -22,7 +22,7 @@ struct UnitOffered {
 };
 constexpr UnitOffered kUnitsOffered[] = {{"mm", 0.001}, {"cm", 0.01}, {"m", 1.0}, {"inch", 0.0254}, {"foot", 0.3048}};
 
-// True if the reader reports a file that states no unit and would therefore give a very large or very small world.
+// Returns true if the reader reports a file that states no unit, so that the world would be very large or very small.
 bool is_of_the_unit(const check::WorldFault& fault) {
     return fault.kind == check::FaultKind::DamagedInFile && fault.source.line == 0 &&
            fault.other == phrase("reader.say_unit");
@@ -110,7 +110,7 @@ void FaultList::show(const std::shared_ptr<const Found>& found, double now_s) {
     for (const MadeDoor& door : made)
         list.items.push_back({phrase("faults.made_door", {{"between", one_line(door.name)}}),
                               where_words(context_, point_box(door.place_m))});
-    list.stays_open = true;  // stays open, so that the person can go from one fault to the next
+    list.stays_open = true;  // The list stays open, so that the person can go from one fault to the next.
     list.chosen = [this, found, made](std::size_t i) {
         if (i < found->faults.size()) show_one(found, i, context_.tick_s);
         else show_made_door(made[i - found->faults.size()], context_.tick_s);
@@ -178,15 +178,16 @@ void FaultList::show_made_door(const MadeDoor& door, double now_s) {
 }
 
 // Doors are cut into walls when the world is read. So the owner of the session reads the world again, and the person
-// stays in the same place.
+// continues at the same place.
 void FaultList::make_door(const MadeDoor& door, double now_s) {
     keep_made_door(context_.additions, door);
-    if (!context_.asks.save_additions(now_s)) return;  // without the saved door, the world would be read again in vain
+    // If the door is not saved, reading the world again would have no effect.
+    if (!context_.asks.save_additions(now_s)) return;
     context_.requests.read_again = true;
     context_.answer(phrase("faults.door_made", {{"between", one_line(door.name)}}), now_s);
 }
 
-// Another unit changes every position, so the session starts again in this world.
+// Another unit changes every position, so the owner must begin a new session in this world.
 void FaultList::take_unit(double metres, double now_s) {
     keep_unit(context_.additions, metres);
     if (!context_.asks.save_additions(now_s)) return;

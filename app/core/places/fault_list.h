@@ -1,6 +1,6 @@
-// The list of faults that somebody should correct in the present world (worlds/check), each with its place. The person
+// Lists the faults that somebody should correct in the present world (worlds/check), each with its place. The person
 // can add a missing name, landmark, door or unit there. A background task searches for the faults. Corrections are
-// stored in the side file, and the list can remove added doors again. App thread only.
+// stored in the side file, and the list can remove added doors again. Use this class on the app thread only.
 #pragma once
 
 #include <functional>
@@ -25,15 +25,16 @@ public:
     void enter_world();
     // Announces the stored landmarks that could not be read.
     void tell_unreadable(double now_s) const;
-    // Call it when another session has changed the landmarks in the file.
+    // Reads the landmarks again. Call it when another session has changed the landmarks in the side file.
     void take_again();
-    // Opens the list now or when the faults are found. If that is impossible, announces why.
+    // Opens the list now, or later when the faults have been found. If that is impossible, announces why.
     void open(double now_s);
     void tick(double now_s);
-    // True if no list is being prepared.
+    // Returns true if no list is being prepared.
     bool idle() const { return !looking_.busy(); }
 
-    std::function<void(const Goal& goal, double now_s)> on_find;  // set by the session; finds a place or goes to it
+    // The session sets this function, which finds a place or goes to it.
+    std::function<void(const Goal& goal, double now_s)> on_find;
 
 private:
     struct Found {

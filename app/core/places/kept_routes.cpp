@@ -44,7 +44,7 @@ void KeptRoutes::enter_world(double now_s) {
 }
 
 void KeptRoutes::take_again() {
-    std::vector<Error> faults;  // announced when the world is entered
+    std::vector<Error> faults;  // errors to announce when the world has been entered
     ways_ = read_ways(context_.additions, faults);
 }
 
@@ -93,7 +93,7 @@ void KeptRoutes::follow_room_name(const std::string& before, const std::string& 
     if (changed) write_ways(context_.additions, ways_);
 }
 
-// Returns the routes that the person could save: planned ones and walked ones.
+// Returns the routes that the person could save: the planned route and the walked routes.
 std::vector<KeptRoutes::Offer> KeptRoutes::untold_offers() const {
     std::vector<Offer> offers;
     if (planned_.stops().size() > 1)
@@ -167,7 +167,8 @@ void KeptRoutes::ask_name(const std::vector<Stop>& stops, double now_s) {
     context_.ask_text(std::move(question), now_s);
 }
 
-// Returns the name if it is valid and no other route has it. Otherwise announces the reason and returns no value.
+// Returns the name if it is valid and no other route has it. Otherwise announces the reason for the refusal and returns
+// no value.
 std::optional<std::string> KeptRoutes::free_name(const std::string& typed, std::size_t except, double now_s) const {
     const auto good = good_name(typed);
     if (!good) {
@@ -269,7 +270,8 @@ void KeptRoutes::open_add_stop(std::size_t which, double now_s) {
 
 void KeptRoutes::add_stop(std::size_t which, Stop stop, double now_s) {
     SavedRoute& way = ways_[which];
-    // After the change, the route gets the checksum of the present world, so all its stops must fit this world first.
+    // After the change, the route gets the checksum of the present world. All its stops must fit this world first,
+    // because they are not checked again afterwards.
     if (way.world != context_.additions.world_checksum() && !look_at(way).faults.empty())
         return context_.answer(phrase("ways.take_over_first", {{"way", way.name}}), now_s);
     way.world = context_.additions.world_checksum();
@@ -279,8 +281,8 @@ void KeptRoutes::add_stop(std::size_t which, Stop stop, double now_s) {
     save_and_answer(phrase("ways.stop_added", {{"way", way_name}, {"stop", name}}), now_s);
 }
 
-// Stores the new places of stops that were found elsewhere. For a thing or room that no longer exists, removes its name
-// from the stop but keeps the stop's place.
+// Stores the new places of stops that were found elsewhere. If a thing or room no longer exists, removes its name from
+// the stop but keeps the stop's place.
 void KeptRoutes::take_over(std::size_t which, double now_s) {
     SavedRoute& way = ways_[which];
     FoundRoute found = look_at(way);

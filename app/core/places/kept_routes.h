@@ -1,6 +1,6 @@
-// The routes that a person has saved in a world under a name. The person can save the planned or the walked route, and
-// a list offers what can be done with a saved one. Another class guides along a saved route. App thread only.
-// saved_routes.h defines how routes are stored.
+// Manages the routes that a person has saved in a world under a name. The person can save the planned or the walked
+// route, and a list offers what can be done with a saved route. Another class guides along a saved route.
+// saved_routes.h defines how routes are stored. Use this class on the app thread only.
 #pragma once
 
 #include <functional>
@@ -19,16 +19,16 @@ class KeptRoutes : SessionPart {
 public:
     KeptRoutes(const SessionContext& context, Rooms& rooms, const PlannedStops& planned);
 
-    // Reads the routes of the world that was entered, and announces those that cannot be read.
+    // Reads the saved routes of the world that was entered, and announces the entries that cannot be read.
     void enter_world(double now_s);
-    // Call it when another session has changed the routes in the file.
+    // Reads the saved routes again. Call it when another session has changed them in the side file.
     void take_again();
-    // Handles the commands Ways and KeepWay. Returns false for other commands.
+    // Carries out the commands Ways and KeepWay. Returns false for other commands.
     bool act(Command command, double now_s);
     // Announces which routes no longer fit the world. Call it once the rooms are known.
     void tell_unfit(double now_s);
     // Call it when a room was renamed. Stops in that room then refer to the new name. `before` is empty if the room had
-    // no stored name. The caller saves the file.
+    // no stored name. The caller saves the side file.
     void follow_room_name(const std::string& before, const std::string& name);
 
     // A route that the person can choose, with its spoken name. offers() lists the planned route first, then the walked
@@ -39,7 +39,8 @@ public:
     };
     std::vector<Offer> offers() const;
 
-    // Set by the session. It is called when the person wants to follow these stops, guided by the hand or by ear.
+    // The session sets this function. It is called when the person wants to follow these stops, guided by the hand or
+    // by ear.
     std::function<void(const std::vector<Stop>& stops, bool by_hand, double now_s)> on_go;
 
 private:

@@ -18,7 +18,8 @@ namespace {
 constexpr double kMarkNear_hand_m = 0.008, kMarkNear_body_m = 1.0;
 // A landmark or clue within this distance of the walker is announced by a sound.
 constexpr double kLandmarkNear_m = 1.5;
-constexpr double kFarther = 1.5;  // what was near counts as far again beyond the near distance times this factor
+// A landmark is announced again if the walker has been farther away than the near distance times this factor.
+constexpr double kFarther = 1.5;
 
 }  // namespace
 
@@ -32,7 +33,7 @@ void MarkList::enter_world() {
 }
 
 void MarkList::take_again() {
-    std::vector<Error> faults;  // announced when the world is entered
+    std::vector<Error> faults;  // errors to announce when the world has been entered
     read(faults);
     near_.assign(marks_.size(), true);
 }
@@ -171,7 +172,7 @@ void MarkList::tick(double now_s) {
     contract_pre(context_.world.scene != nullptr && context_.world.solids != nullptr);
     const bool tell = !std::exchange(first_look_, false);
     const Vec3 waist = context_.body.feet_m() + Vec3(0.0, 0.0, kWaist_m);
-    // Returns the horizontal distance to the box if it is on this storey and not behind a wall or door. Otherwise
+    // Returns the horizontal distance to the box if the box is on this storey and not behind a wall or door. Otherwise
     // returns 1e9.
     const auto body_to_m = [&](const Aabb& box, double range_m) {
         const Vec3 place = nearest_place(box, waist);

@@ -1,6 +1,6 @@
-// The person's marks in the present world: the person can set, rename, delete and choose them. Also plays a sound if
-// the hand or the walker comes near a mark, a landmark or a clue. World metres, unless a name says otherwise. App
-// thread only. marks.h defines how marks are stored.
+// Manages the person's marks in the present world: the person can set, rename, delete and choose them. The class also
+// plays a sound if the hand or the walker comes near a mark, a landmark or a clue. marks.h defines how marks are
+// stored. Lengths are in world metres, unless a name says otherwise. Use this class on the app thread only.
 #pragma once
 
 #include <functional>
@@ -15,15 +15,15 @@ namespace handrail::core {
 
 class MarkList : SessionPart {
 public:
-    // `marks` are the marks of the present world. They are stored outside, so that every feature can read them.
+    // `marks` are the marks of the present world. The session state stores them, so that every feature can read them.
     MarkList(const SessionContext& context, std::vector<Mark>& marks) : SessionPart(context), marks_(marks) {}
 
     // Reads the marks from the side file. tell_faults() later announces the errors.
     void enter_world();
     void tell_faults(double now_s);
-    // Call it when another session has changed the marks in the file.
+    // Reads the marks again. Call it when another session has changed the marks in the side file.
     void take_again();
-    // Handles the commands DropMark, DeleteMark and Marks. Returns false for other commands.
+    // Carries out the commands DropMark, DeleteMark and Marks. Returns false for other commands.
     bool act(Command command, double now_s);
     // Sets a mark if the person has pressed the button on the device.
     void tick_button(double now_s);
@@ -34,11 +34,11 @@ public:
     struct Row {
         ListItem item;
         std::function<void(double now_s)> chosen;
-        // Changes the value of an adjustable row; returns the new value in words.
+        // Changes the value of an adjustable row. Returns the new value in words.
         std::function<std::string(int by)> adjusted{};
     };
-    // Set by the session. `rows_above` returns the present rows above the marks. `on_find` is called when the person
-    // wants to find the chosen mark.
+    // The session sets these functions. `rows_above` returns the present rows above the marks. `on_find` is called when
+    // the person wants to find the chosen mark.
     std::function<std::vector<Row>()> rows_above;
     std::function<void(const Goal& mark, double now_s)> on_find;
 
@@ -56,14 +56,15 @@ private:
 
     std::vector<Mark>& marks_;
     std::vector<Error> faults_;  // errors that have not been announced
-    // What the hand and the walker are near to, so that each mark or landmark is announced once.
-    std::vector<bool> near_;                // in the order of the marks
+    // The places that the hand and the walker are near, so that each mark or landmark is announced once.
+    std::vector<bool> near_;                // for each mark, in the order of the marks
     std::vector<FeatureId> landmarks_;      // landmarks and clues of the scene `listed_of_`
     std::weak_ptr<const Scene> listed_of_;  // a weak pointer, so that the scene can be destroyed
     std::vector<FeatureId> landmarks_near_;
     FeatureId touched_ = kNoFeature;
-    bool first_look_ = true;  // true: what is near is not announced, because the world has just been entered
-    // Buttons of the device one tick earlier; not reset in another world, because the device is the same.
+    bool first_look_ = true;  // true: what is near is not announced, because a world has just been entered
+    // Buttons of the device one tick earlier. They are not reset when another world is entered, because the device is
+    // the same.
     std::uint32_t buttons_ = 0;
 };
 

@@ -1,5 +1,6 @@
-// Explains why a room cannot be reached and what would help, to a person who requested a route to it. A background task
-// finds the reason, because it must build the walkable area again for other sizes of the walker. App thread only.
+// Explains why a room cannot be reached and what would help, to a person who requested a route to the room. A
+// background task finds the reason, because it must build the walkable area again for other sizes of the walker. Use
+// this class on the app thread only.
 #pragma once
 
 #include <string>

@@ -21,7 +21,7 @@ std::string names_of(const std::vector<LessonDraft::Place>& places) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// True if the person stands on the thing. Nobody can point to such a thing, or say when they reach it.
+// Returns true if the person stands on the thing. A learner cannot point to such a thing, or say when it is reached.
 bool under_feet(const Aabb& box_m, const Vec3& feet_m) {
     constexpr double kUnderFeet_m = 0.3, kSameStorey_m = 2.5;
     const Vec3 off_m = nearest_place(box_m, feet_m) - feet_m;
@@ -52,7 +52,7 @@ void PrepareLesson::open_at(std::size_t at, double now_s) {
                   {phrase("prepare.landmark"), draft_.landmarks.empty() ? nothing : names_of(draft_.landmarks)},
                   {phrase("prepare.route"), draft_.stops.empty() ? nothing : names_of(draft_.stops)},
                   {phrase("prepare.save"), phrase("prepare.three_sessions")}};
-    list.stays_open = true;  // the list stays open, also after an announcement that something is missing
+    list.stays_open = true;  // The list stays open, even after an announcement that something is missing.
     list.chosen = [this](std::size_t chosen) {
         const double then_s = context_.tick_s;
         switch (chosen) {
@@ -123,8 +123,8 @@ void PrepareLesson::open_routes(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// Landmarks far from the whole route have no place in its order. Two landmarks that the route passes at the same spot
-// have no order either.
+// A landmark far from the whole route has no place in the order of the route. Two landmarks that the route passes at
+// the same spot have no order either.
 std::vector<std::string> PrepareLesson::on_route(const std::vector<LessonDraft::Place>& asked) const {
     constexpr double kComesTo_m = 6.0, kSameStorey_m = 2.5, kAtOnce_m = 1.0;
     std::vector<Vec3> places;
@@ -156,7 +156,8 @@ void PrepareLesson::save(double now_s) {
         context_.answer(phrase("prepare.not_yet"), now_s);
         return;
     }
-    // The base may have been moved onto a landmark after the landmark was chosen.
+    // Landmarks at the base are left out here, because the base may have been moved onto a landmark after that landmark
+    // was chosen.
     std::vector<LessonDraft::Place> asked;
     for (const LessonDraft::Place& landmark : draft_.landmarks)
         if (!under_feet(landmark.box_m, draft_.base_feet_m)) asked.push_back(landmark);

@@ -1,5 +1,5 @@
-// A list in which a teacher prepares a lesson: sets the base, chooses landmarks and a route, and saves the lesson. The
-// draft is kept until the world is left. App thread only.
+// Opens the list in which a teacher prepares a lesson: sets the base, chooses landmarks and a route, and saves the
+// lesson. The draft is kept until another world is entered. Use it on the app thread only.
 #pragma once
 
 #include <functional>
@@ -25,8 +25,8 @@ public:
     void enter_world() { draft_ = {}, begun_ = false; }
     void open(double now_s) { open_at(0, now_s); }
 
-    // A route that the teacher can choose, with its spoken name. `routes` is set by the session and returns the
-    // planned, the walked and the saved ones.
+    // A route that the teacher can choose, with its spoken name. The session sets `routes`, which returns the planned,
+    // the walked and the saved routes.
     struct Offer {
         std::string name;
         std::vector<Stop> stops;
@@ -36,7 +36,7 @@ public:
 private:
     void open_at(std::size_t at, double now_s);
     void base_here();
-    void open_again(std::size_t at);  // closes the open lists and opens this one again
+    void open_again(std::size_t at);  // closes the open lists and opens the list of this lesson again
     void open_landmarks(double now_s);
     void open_routes(double now_s);
     void save(double now_s);

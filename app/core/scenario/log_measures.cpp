@@ -53,7 +53,7 @@ double overlap_m(const Scene& scene, const Vec3& centre_m, double radius_m) {
             continue;
         }
         // Computes the distance from `centre_m` to the convex solid by alternating projection onto the violated planes
-        // (Dykstra). Slow but simple.
+        // (Dykstra). This is slow but simple.
         double outside = -std::numeric_limits<double>::infinity();
         for (const Plane& plane : solid.shape.planes) outside = std::max(outside, signed_distance(plane, centre_m));
         if (outside <= 0.0) {
@@ -81,7 +81,7 @@ double line_amplitude(const std::vector<double>& samples, double dt_s, double fr
     contract_pre(from_hz >= 0.0 && from_hz <= to_hz);
     const std::size_t n = samples.size();
     if (n < 16) return 0.0;
-    // Subtract the least-squares straight line and apply a Hann window.
+    // Subtract the least-squares straight line, and apply a Hann window.
     double sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (std::size_t i = 0; i < n; ++i) {
         const double x = static_cast<double>(i);

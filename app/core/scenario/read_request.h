@@ -1,4 +1,4 @@
-// Reads the world of a WorldRequest. Any thread.
+// Reads the world of a WorldRequest. Any thread may call these functions.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace handrail::core {
 
-// Returns the options for the reader. Pure function.
+// Returns the options for the reader. It is a pure function.
 readers::ReadOptions read_options(const WorldRequest& request);
 
 // Functions that read a world and the files next to it. Each fails with a sentence. The program uses functions that
@@ -20,7 +20,7 @@ struct WorldReader {
     std::function<Result<Scene>(const WorldRequest&)> scene;
     settings::TomlReader toml = settings::toml_of;
 };
-// Reads the world in this process. Only for tests, which trust their own worlds.
+// Reads the world in this process. Only tests may use it, because they trust their own worlds.
 Result<Scene> read_requested(const WorldRequest& request);
 
 }  // namespace handrail::core

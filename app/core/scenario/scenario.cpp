@@ -19,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the names of all sounds. Every sound has a name, and every material has a word. People and scenarios use the
-// same tables.
+// Returns the names of all sounds. Every sound has a name, and every material has a word. These are the same tables
+// that provide the names for people.
 std::vector<std::string_view> all_sound_names() {
     std::vector<std::string_view> names;
     for (const cues::SoundInfo& row : cues::sound_table()) names.push_back(row.name);
@@ -44,7 +44,8 @@ Command command_named(TomlFields& fields, const char* key) {
 
 constexpr double kLongest_s = 3600.0;
 constexpr double kLeastUnit_m = 1e-6, kMostUnit_m = 1e6;
-constexpr std::array<std::string_view, 3> kActsBy{"window-keys", "terminal-keys", "lines"};  // in the order of ActsBy
+// Names in the order of the enum ActsBy.
+constexpr std::array<std::string_view, 3> kActsBy{"window-keys", "terminal-keys", "lines"};
 
 fs::path find_world(const std::string& name, const ScenarioFolders& folders, int line) {
     return find_named_world(name, folders, line);
@@ -144,7 +145,7 @@ ScenarioAction read_action(const settings::TomlValue& table, const ScenarioFolde
     return action;
 }
 
-// Converts a sweep into its moves.
+// Converts the table of a sweep into the moves of that sweep.
 std::vector<ScenarioAction> read_sweep(const settings::TomlValue& table) {
     TomlFields fields(table, "sweep");
     const Vec3 at = fields.vector("sweep_at");
@@ -195,7 +196,7 @@ void must_be_one_of(const std::string& word, std::span<const std::string_view> k
                            {"nearest", nearest_name(word, std::vector<std::string>(known.begin(), known.end()))}})};
 }
 
-// Reads one expectation: what to check, given by exactly one key, and when.
+// Reads one expectation: the condition to check, given by exactly one key, and when to check it.
 class ExpectationReader {
 public:
     explicit ExpectationReader(const settings::TomlValue& table) : fields_(table, "expectation") {
@@ -227,7 +228,7 @@ private:
     void flag(const char* key, Check check) {
         if (is(key, check)) fields_.flag(key);
     }
-    // Reads the upper limit `key`, if it is given.
+    // Reads the upper limit `key`, if the table contains that key.
     bool limit(const char* key, Check check, double most) {
         if (!is(key, check)) return false;
         e_.high = fields_.number(key, 0.0, most);
@@ -419,7 +420,8 @@ fs::path find_named_world(const std::string& name, const ScenarioFolders& folder
         if (!fs::path(name).has_parent_path() && !fs::path(name).has_extension())
             for (const ShelvedWorld& world : worlds_in(folder))
                 if (world.file.stem() == name) return world.file;
-    // If that file is missing, the scenario and the world may have been copied together from elsewhere.
+    // Search for the file name alone next to the scenario, because the scenario and the world may have been copied
+    // together from elsewhere.
     if (fs::path beside = folders.beside / fs::path(name).filename(); fs::path(name).has_parent_path())
         if (std::error_code ec; fs::is_regular_file(beside, ec)) return beside;
     throw BadField{line, phrase("scenario.no_world", {{"name", name}})};

@@ -1,5 +1,5 @@
-// Scenario files in readable TOML: a world, a start, timed actions and expectations. This file only parses them, and
-// scenario_run.h runs them. docs/scenarios.md describes the format.
+// Defines scenario files in readable TOML: a world, a start, timed actions and expectations. This code only parses
+// them, and scenario_run.h runs them. docs/scenarios.md describes the format.
 #pragma once
 
 #include <filesystem>
@@ -22,20 +22,20 @@ struct TapCommand {
     Command command;
     double for_s = 0.1;
     int times = 1;
-};  // press = "forward", for_s = 0, times = 3: as if the person had typed the count
+};  // press = "forward", for_s = 0, times = 3: the same as if the person had typed the count
 struct HoldCommand {
     Command command;
     double for_s;
 };  // hold = "forward", for_s = 3
 struct TapKey {
     std::string key;
-};  // key = "Down": a key by name, for an open list or question; otherwise for the command of that key
+};  // key = "Down": presses a key by name; an open list or question gets it, otherwise the command of that key
 struct TypeText {
     std::string text;
 };  // type = "stairs": characters typed on the keyboard
 struct TypeLine {
     std::string line;
-};  // line = "library": a line typed in a terminal, for an open list or question
+};  // line = "library": a line typed in a terminal; an open list or question gets it first
 struct Wait {
     double for_s;
 };  // wait_s = 1
@@ -45,9 +45,9 @@ struct MoveHand {
     bool relative;
 };  // move_to or move_by: exact world metres, with the speed of the hand
 struct MoveInDevice {
-    // Exact offset in device metres. If `control` is empty, it starts at the device's middle. Otherwise it starts where
-    // the proxy touches that control of the present desk page, and its axes are to the right of, in front of and above
-    // that place.
+    // `to_m` is an exact offset in device metres. If `control` is empty, the offset starts at the device's middle.
+    // Otherwise it starts where the proxy touches that control of the present desk page, and its axes are to the right
+    // of, in front of and above that place.
     std::string control;
     Vec3 to_m{0.0};
     double speed_m_per_s;
@@ -79,7 +79,7 @@ struct ChangeSetting {
 };  // set = "workspace.scale=30": starts the world again at the same place
 struct AddThing {
     std::string name;
-    Vec3 box_m{0.0};              // for `add` with a box: side lengths; zero: add a model
+    Vec3 box_m{0.0};              // for `add` with a box: side lengths; zero: the action adds a model
     std::filesystem::path model;  // for `add` with a model: the world file that was found
     Placement at;
     std::string material;
@@ -100,7 +100,7 @@ using ScenarioStep = std::variant<TapCommand, HoldCommand, TapKey, TypeText, Typ
                                   ChangeSetting, AddThing, RemoveThing, SendThing>;
 
 struct ScenarioAction {
-    std::string name;  // name for `after` and `before`; may be empty
+    std::string name;  // name that `after` and `before` use; may be empty
     ScenarioStep step = Wait{0.0};
     std::optional<double> at_s;  // start of the action; none: when the previous action ends
     bool meanwhile = false;      // true: the action starts together with the previous one
@@ -110,7 +110,7 @@ struct ScenarioAction {
 
 // A moment: `offset_s` after the start of the scenario, or after the start or end of a named action.
 struct Moment {
-    std::string action;  // empty: the moment counts from the start of the scenario
+    std::string action;  // empty: the offset is from the start of the scenario
     bool at_end = false;
     double offset_s = 0.0;
 };
@@ -126,12 +126,13 @@ enum class Check {
     NotSound,
     Force,      // force_n = [min, max]: magnitude of the force, or its component along `direction`
     ForceStep,  // force_step_n: largest change of the force between two ticks
-    // force_spike: the force never exceeds this factor times the force of the previous tick, or of the begin of the
-    // window.
+    // force_spike: the force never exceeds this factor times the force of the previous tick, or of the beginning of the
+    // time window.
     ForceSpike,
     ForceLine,  // force_line_n with hz: amplitude of the force at that frequency
     ForceBand,  // force_band_n with from_hz, to_hz: largest amplitude of any spectral line between the two frequencies
-    // force_angle_deg, direction: angle between the force and that direction, in all ticks with a force above 0.05 N.
+    // force_angle_deg, direction: largest angle between the force and that direction, in all ticks with a force above
+    // 0.05 N.
     ForceAngle,
     Depth,        // depth_mm: largest distance between the hand and the proxy, in hand metres
     ForceRising,  // force_rising = true: the force never falls by more than 1e-9 N between two ticks
@@ -146,15 +147,16 @@ enum class Check {
     // strongest_line_hz = [low, high] with from_hz, to_hz, at_least_n: frequency of the strongest spectral line of the
     // force.
     StrongestLine,
-    ToldApart,     // told_apart = true: no two materials of the world feel the same
-    NotToldApart,  // not_told_apart: the named pair of materials feels the same, and the report names it
-    SoundRising,   // sound_rising = "wall tone": the loudness of the sound grows and never falls
+    ToldApart,  // told_apart = true: no two materials of the world feel the same
+    // not_told_apart: the named pair of materials feels the same, and the report on materials names the pair.
+    NotToldApart,
+    SoundRising,  // sound_rising = "wall tone": the loudness of the sound grows and never falls
 };
 
 struct Expectation {
     Check check = Check::Say;
     std::string text;                                 // words, or the name of a sound or feature
-    std::string material;                             // for sounds
+    std::string material;                             // material of the object, for sounds
     std::optional<std::array<double, 2>> muffled_db;  // for sounds: least and greatest loss by obstacles
     std::optional<std::array<double, 2>> pitch;       // for sounds: least and greatest factor of the pitch
     std::optional<int> times;
@@ -163,7 +165,7 @@ struct Expectation {
     bool has_vector = false;
     double tolerance = 0.0;
     double from_hz = 0.0, to_hz = 0.0;
-    bool always = true;  // true: in the whole window; false: at least once
+    bool always = true;  // true: the condition must hold in the whole window; false: at least once in the window
     bool left = false;   // whose = "left": measures the left hand
     Moment from, to;
     bool has_to = false;
@@ -182,16 +184,16 @@ struct Scenario {
     std::map<std::string, std::string> settings;
     std::vector<ScenarioAction> actions;
     std::vector<Expectation> expectations;
-    double tail_s = 1.0;  // how long the scenario continues after the last action
+    double tail_s = 1.0;  // how long the scenario continues after the end of the last action
 };
 
-// The key `sweep_at` in the file makes moves. There is a series of moves for each of `angles` directions from from_deg
-// to to_deg. The hand starts reach_m away from the place in that direction, moves straight through the place to depth_m
-// behind it, and returns.
+// The key `sweep_at` in the file makes moves. There is one series of moves for each of `angles` directions from
+// from_deg to to_deg. The hand starts at the distance reach_m from the place in that direction. It moves straight
+// through the place to depth_m behind it, and returns.
 
-// Reads a scenario file. Worlds are searched for next to the file, then below its folder, then in `world_folders`. Any
-// mistake, such as an unknown key, a wrong type or an unknown name of an action, fails with its line; nothing is read
-// partially. read_scenario_text() reads `text` as if it were the content of `file`.
+// Read a scenario file. They search for worlds next to the file, then below its folder, then in `world_folders`. Any
+// mistake, such as an unknown key, a wrong type or an unknown name of an action, is an error with its line. In that
+// case, nothing is returned. read_scenario_text() reads `text` as if it were the content of `file`.
 Result<Scenario> read_scenario_text(const std::string& text, const std::filesystem::path& file,
                                     const std::vector<std::filesystem::path>& world_folders);
 Result<Scenario> read_scenario(const std::filesystem::path& file,

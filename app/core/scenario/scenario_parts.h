@@ -1,5 +1,5 @@
-// The parts of a scenario that lessons contain too: actions and expectations. For readers of scenarios and lessons. The
-// functions throw BadField (toml_fields.h). Any thread.
+// Reads the parts of a scenario that lessons contain too: actions and expectations. The readers of scenarios and
+// lessons use these functions. They throw BadField (toml_fields.h). Any thread may call them.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ struct ScenarioFolders {
 
 // Returns the file of the world with this name, and throws if there is none.
 std::filesystem::path find_named_world(const std::string& name, const ScenarioFolders& folders, int line);
-// Reads the actions of one table `do`, and adds their names to `names`. Throws if a name already exists.
+// Reads the actions of one table `do`, and adds the names of the actions to `names`. Throws if a name already exists.
 std::vector<ScenarioAction> read_actions(const settings::TomlValue& table, const ScenarioFolders& folders,
                                          std::set<std::string>& names);
 // Reads one table `expect`. `names` are the names of the actions.

@@ -12,9 +12,10 @@
 namespace handrail::core {
 namespace {
 
-// How long a key that a scenario presses by name stays down; also the duration of typing a text.
+// How long a key that a scenario presses by name stays down. Typing a text takes the same time.
 constexpr double kTap_s = 0.1;
-// Size of a jump in the device's position; more than a hand can move in one tick.
+// Size of a jump in the device's position. It is more than a hand can move in one tick, so the servo must recognise it
+// as a fault.
 constexpr double kJumpTrouble_m = 0.05;
 
 // An action that has begun or will begin.
@@ -69,7 +70,7 @@ public:
     }
 
 private:
-    // Converts a world place to a device place, for the present workspace.
+    // Converts a place in the world to a place in the device frame, for the present workspace.
     Vec3 in_device(const Vec3& world_m, bool left) {
         const servo::WorkspacePose pose = left ? session_.app().hand(1).pose : session_.app().hand().pose;
         const servo::ToolState& tool = session_.tool(left);
@@ -81,7 +82,7 @@ private:
         session_.hand(left).state.refresh();
         return session_.hand(left).state.read().position_m;
     }
-    // Sends a command to a hand. The buttons stay as they are, whatever else the hand does.
+    // Sends a command to a hand. The buttons keep their state during all other movements of the hand.
     void command_hand(device::HandCommand command, bool left) {
         command.buttons = buttons_[left];
         hand_command_[left] = command;
@@ -236,7 +237,7 @@ private:
     settings::SettingsStore& settings_;
     const WorldReader& read_;
     std::vector<int>* undone_;
-    // Each array has the value for the only or right hand, then the value for the left hand.
+    // Each array has a value for the only or right hand, then a value for the left hand.
     std::array<std::uint32_t, 2> buttons_{};
     std::array<device::HandCommand, 2> hand_command_{HeadlessSession::still_hand(), HeadlessSession::still_hand()};
     std::map<std::string, std::shared_ptr<const Scene>> models_;
@@ -245,7 +246,7 @@ private:
 
 constexpr double kLongestRun_s = 3600.0;
 
-// While this object exists, sentences address a person who uses the program in this way.
+// While this object exists, announcements name the keys or words of a person who uses the program in this way.
 class SpokenTo {
 public:
     explicit SpokenTo(ActsBy who) : before_(spoken_to()) { speak_to(who); }
@@ -316,8 +317,8 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
     double last_action_s = 0.0;
     session.app().apply(WorldsKnown{{scenario.world.file.parent_path(), {}}}, 0.0);
     while (session.now_s() < kLongestRun_s) {
-        // In virtual time, reading a world takes no time. If the world cannot be read, that is announced and the
-        // session stays in the old world.
+        // In virtual time, reading a world takes no time. If the world cannot be read, the session announces that and
+        // stays in the old world.
         if (const auto wanted = session.app().requests().take_world()) {
             if (auto other = read.scene(*wanted)) {
                 settings.load_file(settings::settings_beside(wanted->file), settings::SettingSource::World, read.toml);

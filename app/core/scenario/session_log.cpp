@@ -34,7 +34,7 @@ public:
                                       {"to", window_.to_s}});
     }
 
-    // Returns what is wrong, or an empty text if the expectation is met.
+    // Returns an error sentence, or an empty text if the expectation is met.
     std::string failure() const {
         switch (e_.check) {
             case Check::Say:
@@ -223,7 +223,7 @@ private:
         bool holds = times_s.size() >= 4;
         for (std::size_t i = 1; i < times_s.size(); ++i) {
             seen += fmt::format(" {:.3f}", times_s[i] - times_s[i - 1]);
-            // A difference of about one frame does not count as a longer pause.
+            // A pause is longer only if the difference exceeds 0.02 s, which is about one frame.
             if (i >= 2 && times_s[i] - times_s[i - 1] > times_s[i - 1] - times_s[i - 2] + 0.02) holds = false;
         }
         if (holds && times_s.back() - times_s[times_s.size() - 2] < 0.5 * (times_s[1] - times_s[0])) return {};
@@ -286,8 +286,8 @@ private:
         return {};
     }
 
-    // Returns what is wrong with a tick; empty: nothing. It is a function, so that words are made only when needed,
-    // because there are a thousand ticks a second.
+    // Returns what is wrong with a tick, or an empty text if nothing is. It is a function, so that words are made only
+    // when needed, because there are a thousand ticks a second.
     using Wrong = std::function<std::string()>;
     template <class Words>
     static Wrong wrong_unless(bool holds, Words words) {

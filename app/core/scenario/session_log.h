@@ -1,5 +1,5 @@
-// The log of a headless session, tick by tick, and the check of a scenario's expectations against it. Pure functions
-// over plain data.
+// Defines the log of a headless session, tick by tick, and checks a scenario's expectations against this log. Pure
+// functions over plain data.
 #pragma once
 
 #include <map>
@@ -39,7 +39,7 @@ struct LoggedLine {
 };
 
 struct SessionLog {
-    std::vector<LoggedTick> ticks;       // one per millisecond
+    std::vector<LoggedTick> ticks;       // one entry for each millisecond
     std::vector<LoggedTick> left_ticks;  // ticks of the left hand, if there are two
     std::vector<LoggedSound> sounds;
     std::vector<LoggedLine> lines;
@@ -48,8 +48,8 @@ struct SessionLog {
     double end_s = 0.0;
 };
 
-// Returns one sentence for each expectation that is not met. It has the line in the file, the time, what was expected
-// and what happened instead.
+// Returns one sentence for each expectation that is not met. The sentence contains the line in the file, the time, what
+// was expected and what happened instead.
 std::vector<std::string> failures(const Scenario& scenario, const SessionLog& log, const Scene& scene);
 
 }  // namespace handrail::core

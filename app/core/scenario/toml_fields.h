@@ -1,5 +1,6 @@
 // Reads TOML that people have written. The calling code requests the fields of a table one after the other, and each
-// mistake in the file becomes one sentence with its line. For readers of scenarios and lessons. Any thread.
+// mistake in the file becomes one sentence with its line. The readers of scenarios and lessons use it. Any thread may
+// call it.
 #pragma once
 
 #include <fmt/format.h>
@@ -25,7 +26,8 @@ struct BadField {
     std::string message;
 };
 
-// Reads the fields of a table. A key that was not requested before done() is called counts as a mistake in the file.
+// Reads the fields of a table. If the table contains a key that was not requested before done() is called, that is a
+// mistake in the file.
 class TomlFields {
 public:
     TomlFields(const settings::TomlValue& table, std::string what) : table_(table), what_(std::move(what)) {}
@@ -95,7 +97,7 @@ private:
         if (!node) throw BadField{table_.line, phrase("scenario.needs", {{"what", what_}, {"key", key}})};
         return *node;
     }
-    const settings::TomlValue& table_;  // must be a table
+    const settings::TomlValue& table_;  // the value must be a table
     std::string what_;
     std::set<std::string> asked_;
 };

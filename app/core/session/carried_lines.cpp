@@ -12,13 +12,13 @@ namespace {
 
 constexpr double kSettles_s = 0.2;
 
-// True if the command takes a count and makes all steps or notches at once. If it were repeated instead, it would
-// continue after the first step has met something.
+// Returns true if the command takes a count and makes all steps or notches at once. If such a command were repeated
+// instead, it would continue after the first step has met something.
 bool counts_by_itself(Command command) {
     return is_one_of(command, {Command::TrailLeft, Command::TrailRight, Command::Retrace}) || steps_or_turns(command);
 }
 
-// Returns the other list in which a choice may be: things or rooms.
+// Returns the other list that may contain a choice. The two lists are of things and of rooms.
 std::optional<Command> other_list(Command command) {
     if (command == Command::Find) return Command::Routes;
     if (command == Command::Routes) return Command::Find;
@@ -55,7 +55,7 @@ bool CarriedLines::next_leaves() const {
 bool CarriedLines::take(double now_s) {
     // Waits until directions have been planned, unless the next line leaves the program.
     if (repeat_left_ == 0 && (!app_.idle() || (app_.guide().plans_legs() && !next_leaves()))) {
-        // After that, waits a little longer, so that the result is spoken before the next line interrupts it.
+        // After the planning, wait a little longer, so that the result is spoken before the next line interrupts it.
         settle_until_s_ = now_s + kSettles_s;
         return true;
     }
@@ -93,18 +93,19 @@ void CarriedLines::choose(const std::string& choice, double now_s) {
                now_s);
 }
 
-// True if the choice means a room. "Where is the kitchen" means the room of that name, not the kitchen counter.
+// Returns true if the choice means a room. "Where is the kitchen" means the room of that name, not the kitchen counter.
 bool CarriedLines::means_room(const std::string& choice) const {
     return repeat_command_ == Command::Find && !app_.dialogue().holds(choice, true) && app_.guide().leads_to(choice);
 }
 
 void CarriedLines::carry_out(const std::string& line, double now_s) {
     const auto parsed = parse_terminal_line(line);
-    // The session knows a command only by its word in the command table. Commands that always act take precedence over
-    // the names in a list.
+    // The session knows a command only by its word in the command table. A command that always acts is preferred to a
+    // name in a list.
     const std::string word = parsed && parsed->command ? std::string(info(*parsed->command).word) : line;
     const bool always = parsed && parsed->command && in_list(*parsed->command) == InList::Always;
-    // If the open list cannot use a command or question, closes the list, and the command is carried out.
+    // If the open list cannot use a command or question, this function closes the list. The command is then carried
+    // out.
     if (parsed && parsed->command && in_list(*parsed->command) == InList::Waits && app_.dialogue().is_open() &&
         !app_.dialogue().typing() && !app_.dialogue().has_use_for(line))
         app_.apply(ListsLeft{}, now_s);
@@ -127,7 +128,7 @@ void CarriedLines::carry_out(const std::string& line, double now_s) {
 void CarriedLines::tap(Command command, int times, double now_s) {
     app_.apply(CommandDown{command, times}, now_s);
     app_.apply(CommandUp{command}, now_s);
-    // A simulated hand needs a moment to arrive.
+    // A simulated hand needs a moment to arrive at its target.
     if (command >= Command::HandForward && command <= Command::HandCentre) settle_until_s_ = now_s + kSettles_s;
 }
 

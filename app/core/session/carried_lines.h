@@ -1,5 +1,5 @@
-// Carries out typed lines one after the other. Each line begins when the effect of the previous one is over, so that a
-// script behaves as it reads. App thread.
+// Carries out typed lines one after the other. Each line begins when the effect of the previous line is over, so that a
+// script does what a reader expects. Use it on the app thread.
 #pragma once
 
 #include <deque>
@@ -19,20 +19,20 @@ public:
 
     void add(std::string line) { lines_.push_back(std::move(line)); }
     std::size_t waiting() const { return lines_.size(); }
-    // True if all added lines have been carried out, including their repetitions.
+    // Returns true if all added lines have been carried out, including their repetitions.
     bool done() const { return lines_.empty() && repeat_left_ == 0 && choice_.empty(); }
     // Drops all lines that have not been carried out.
     void drop();
-    // Drops those lines too, but returns them, so that the caller can carry them out.
+    // Drops all lines that have not been carried out, and returns them, so that the caller can carry them out.
     std::vector<std::string> take_rest();
-    // Removes and returns the next line, so that the caller can carry it out. No value if no line waits.
+    // Removes and returns the next line, so that the caller can carry it out. Returns no value if no line waits.
     std::optional<std::string> take_next();
-    // True if the next line leaves the program or the world.
+    // Returns true if the next line leaves the program or the world.
     bool next_leaves() const;
     // Carries out the next line if it is time. Call it once a frame, before the session's tick. Returns false if there
     // was nothing to do and nothing to wait for.
     bool take(double now_s);
-    // True if a line requested the end of the program.
+    // Returns true if a line requested the end of the program.
     bool left() const { return left_; }
 
 private:
@@ -44,7 +44,7 @@ private:
     Session& app_;
     std::deque<std::string> lines_;
     Command repeat_command_ = Command::Forward;
-    std::string asked_by_;  // word of the list that was searched first, for the person to type
+    std::string asked_by_;  // word with which the person would open the list that was searched first
     int repeat_left_ = 0;
     std::string choice_;             // item to choose in the list that the last command opens
     bool looked_elsewhere_ = false;  // true: the other list has also been searched

@@ -1,5 +1,5 @@
-// What a tick of the session sends to the servo of one hand. What both hands share is not included: the rendered world
-// and the positions of its bodies. Plain data; app thread only.
+// Defines what a tick of the session sends to the servo of one hand. The rendered world and the positions of its bodies
+// are not included, because both hands share them. Plain data for the app thread only.
 #pragma once
 
 #include <memory>

@@ -85,14 +85,15 @@ void HeadlessSession::change_settings(const settings::Settings& settings) {
 
 void HeadlessSession::advance() {
     ++milliseconds_;
-    driver_.hand_over();  // all input since the last frame acts at once, so that tests need not wait for the next frame
+    // All input since the last frame acts at once, so that tests need not wait for the next frame.
+    driver_.hand_over();
     clock_.sleep_until_s(static_cast<double>(milliseconds_) * kTick_s);
     for (Hand& hand : hands_) {
         if (!hand.servo || milliseconds_ % servo_every_ms_ != 0) continue;
         hand.servo->step();
         hand.tool = hand.servo->tool();
     }
-    // If there is a servo, movable things advance every millisecond with it. Otherwise the session advances them once a
+    // If there is a servo, movable things advance with it every millisecond. Otherwise the session advances them once a
     // frame.
     if (hands_[0].servo || hands_[1].servo) app_.step_bodies(now_s());
     // A frame runs in the first millisecond at or after its time.

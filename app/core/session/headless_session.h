@@ -1,7 +1,7 @@
-// The whole program on a virtual clock in one thread: the servos tick a thousand times a second, audio two hundred
-// times, the session sixty times. Session, SessionDriver, ServoLoop and AudioThread are the classes that the program
-// uses. What the program does on several threads happens here in a fixed order, so the same input gives the same
-// output. For scenarios and tests.
+// Runs the whole program on a virtual clock in one thread. The servos tick a thousand times a second, audio two hundred
+// times, and the session sixty times. Session, SessionDriver, ServoLoop and AudioThread are the classes that the
+// program uses. What the program does on several threads happens here in a fixed order, so the same input gives the
+// same output. Scenarios and tests use it.
 #pragma once
 
 #include <array>
@@ -32,21 +32,21 @@ public:
     // Adds a left hand; the hand of the constructor is then the right one. If `facts` describe an absent hand, removes
     // the left hand.
     void give_left_hand(const HandFacts& facts);
-    // Replaces or removes the device of the only or right hand, as a person does by plugging.
+    // Replaces or removes the device of the only or right hand, as if a person had plugged in or removed a device.
     void change_hand(const HandFacts& facts);
     device::SimulatedHand& hand(std::size_t which = 0) { return *hands_[which].simulated; }
     const HandFacts& facts() const { return facts_; }
     const servo::ToolState& tool(std::size_t which = 0) const { return hands_[which].tool; }
     double now_s() const { return clock_.now_s(); }
     void change_settings(const settings::Settings& settings);
-    // Inform the session that a key was pressed or that the keyboard focus has changed. As in a real session, the
-    // switches of the servo are set at once.
+    // Inform the session that a key was pressed or that the keyboard focus has changed. As in the program, the switches
+    // of the servo are set at once.
     void press(Command command, int times = 1);
-    // Presses and releases a key by name. An open list or question gets the key first. Otherwise its command is carried
-    // out. Returns false if the key has no meaning at present.
+    // Presses and releases a key by name. An open list or question gets the key first. Otherwise the session carries
+    // out the command of the key. Returns false if the key has no meaning at present.
     bool tap_key(const std::string& name);
-    // Adds a line typed in a terminal. As in the program, it is carried out when the effect of the previous line is
-    // over.
+    // Adds a line typed in a terminal. As in the program, the line is carried out when the effect of the previous line
+    // is over.
     void type(std::string line) { lines_.add(std::move(line)); }
     const CarriedLines& lines() const { return lines_; }
     void set_focus(bool focused);
@@ -72,7 +72,7 @@ private:
     HandFacts facts_;
     servo::ServoSwitches switches_;  // shared by both hands
     std::array<Hand, 2> hands_;      // the only or right hand, then the left hand
-    cues::AudioThread ears_;         // stepped by this class, not by a separate thread
+    cues::AudioThread ears_;         // the audio thread; this class steps it, so it has no thread of its own
     SessionDriver driver_{app_, ears_};
     CarriedLines lines_{app_};
     long milliseconds_ = 0;

@@ -1,4 +1,4 @@
-// The state of a session as a teacher sees it. Plain data; world metres.
+// Defines the state of a session as a teacher sees it. Plain data in world metres.
 #pragma once
 
 #include <string>
@@ -17,7 +17,8 @@ struct LessonView {
     bool trails = false;       // true: the walker is following a wall
     bool rooms_known = false;  // true: the fields below are valid
     std::string room;
-    double perimeter_m = 0.0;  // length of the room's walls, doors and what stands against them; 0: there are none
+    // Length of the room's walls, with doors and what stands against the walls; 0: there are none.
+    double perimeter_m = 0.0;
     double walls_share = 0.0;  // share of `perimeter_m` that the person knows
     int walls = 0, walls_done = 0, exits = 0, exits_found = 0;
 };

@@ -19,7 +19,8 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kAnswerFollows_s = 60.0;  // how long typed lines wait for an answer that must wait for the rooms
+// If an answer must wait for the rooms, typed lines wait this long for the answer.
+constexpr double kAnswerFollows_s = 60.0;
 
 }  // namespace
 
@@ -41,7 +42,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     settled_.give_up();
     keep_learnt(now_s);
     state_.body.walker.reset();
-    // A background task destroys the data of the world that was left.
+    // A background task destroys the data of the previous world, because that is slow.
     std::shared_ptr<RoomsOfWorld> rooms_left = where_.rooms.enter_world(std::move(world.file), std::move(world.ways));
     auto left = std::make_shared<
         std::tuple<std::shared_ptr<RoomsOfWorld>, std::shared_ptr<const Scene>, std::shared_ptr<const WalkerWorld>>>(
@@ -54,7 +55,8 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     where_.climbs.enter_world();
     where_.visits.enter_world();
     too_early_.reset();
-    take_additions();  // comes before the scene for the hand is made, because things with a mark are not simplified
+    // The additions come before the scene for the hand is made, because things with a mark are not simplified.
+    take_additions();
     hand_.touch_view.enter_world(std::move(world.sharp), now_s);
     state_.world.movers.enter(state_.world.scene->movers);
     state_.world.solids = std::move(world.body);
@@ -74,7 +76,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     places_.why_no_way.enter_world();
     learn_.teaching.blocked.clear();
     labyrinth_.enter_world(now_s);
-    state_.lists.dialogue.close_all();  // the lists may refer to the old world
+    state_.lists.dialogue.close_all();  // The lists are closed, because they may refer to the old world.
     movers_.triggers.enter_world();
     walk_.walking.enter_world();
     state_.context.tick_s = now_s;
@@ -127,7 +129,8 @@ std::string Session::entering_text() const {
 
 void Session::press(Command command, double now_s, int times) {
     if (walk_.keys_held.held(command)) return;
-    // Any key interrupts the present announcement, except keys that repeat it and keys that stop speech themselves.
+    // Any key interrupts the present announcement, except keys that repeat the announcement and keys that stop speech
+    // themselves.
     if (command != Command::Repeat && command != Command::HistoryBack && command != Command::HistoryForward &&
         command != Command::StopSpeech && command != Command::StopEverything)
         quiet(now_s);
@@ -139,7 +142,7 @@ void Session::press(Command command, double now_s, int times) {
     act(command, now_s, times);
 }
 
-// Says again what was cut off, as it is at this moment. What is no longer true is not said.
+// Says again the announcements that were cut off, with their present content. What is no longer true is not said.
 void Session::say_anew(cues::SpeechTopics topics, double now_s) {
     for (const cues::SpeechTopic topic : {cues::SpeechTopic::Praise, cues::SpeechTopic::Lesson})
         if (topics.has(topic)) lesson_session_.tell_anew(topic, now_s);
@@ -178,7 +181,7 @@ bool Session::idle() const {
 void Session::act(Command command, double now_s, int times) {
     if (!state_.world.scene) return;
     if (desk_visit_.refuses(command, now_s)) return;
-    where_.rooms.take_refused();  // forgets refusals to other callers since the last command
+    where_.rooms.take_refused();  // Forgets refusals to other callers since the last command.
     carry_out(command, now_s, times);
     where_.far.note(command);
     if (where_.rooms.take_refused()) too_early_ = TooEarly{command, now_s};
@@ -233,7 +236,8 @@ bool Session::anything_moves() const {
 void Session::take_settled() {
     auto settled = settled_.take();
     if (!settled || !*settled) return;
-    const bool in_vain = anything_moves();  // if things move again, another scene will be made once they rest
+    // If things move again, another scene will be made once they rest, so this scene would be useless.
+    const bool in_vain = anything_moves();
     auto left = in_vain ? std::move(*settled) : std::exchange(state_.world.scene, std::move(*settled));
     if (!in_vain) {
         state_.world.movers.follow(state_.world.scene->movers);

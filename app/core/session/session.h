@@ -1,6 +1,6 @@
-// The session: it knows where the person is in the world, carries out commands, and makes the output for servos, sound
-// and window. It has no window, device, sound library, thread or clock. The caller ticks it about 60 times a second and
-// passes its outputs on. App thread only.
+// Runs a session: it knows where the person is in the world, carries out commands, and makes the output for servos,
+// sound and window. It has no window, device, sound library, thread or clock. The caller ticks it about 60 times a
+// second and passes its outputs on. Use it on the app thread only.
 #pragma once
 
 #include <filesystem>
@@ -43,12 +43,13 @@ public:
     Session(const Session&) = delete;  // not copyable, because open lists and waiting sounds keep its address
     Session& operator=(const Session&) = delete;
 
-    // Applies one input (session_input.h); all input goes through this function. Returns false if a key, text, line or
-    // action was not used. `now_s` as in tick().
+    // Applies one input (session_input.h). All input goes through this function. Returns false if a key, text, line or
+    // action was not used. tick() explains `now_s`.
     bool apply(SessionInput input, double now_s);
 
-    // Functions that recordings set; the session calls those of all recordings, one after the other. `comes` gets each
-    // input with its time before the input acts. `not_taken` is called when apply() returns false for the last input.
+    // Functions that a recording sets. The session calls the functions of all recordings, one after the other. `comes`
+    // gets each input with its time before the input acts. `not_taken` is called when apply() returns false for the
+    // last input.
     struct InputListener {
         std::function<void(const SessionInput& input, double now_s)> comes;
         std::function<void()> not_taken;
@@ -56,9 +57,9 @@ public:
     void tell_inputs(InputListener listener) { watched_.inputs.push_back(std::move(listener)); }
 
     // Add, remove or move a thing while the session continues. A hand that touches the thing feels neither a knock nor
-    // a gap. Each function fails with a sentence and then changes nothing: see worlds/scene/models.h, and also if there
-    // are too many things or the speed is not positive. The walker collides with a moving thing where it is at that
-    // moment.
+    // a gap. On failure, each function returns a sentence and changes nothing. worlds/scene/models.h lists the reasons.
+    // Two more reasons are too many things and a speed that is not positive. The walker collides with a moving thing at
+    // its position at that moment.
     Result<void> add_thing(const std::string& name, std::shared_ptr<const Scene> model, const Placement& at,
                            const std::string& material, double now_s);
     Result<void> remove_thing(const std::string& name, double now_s);
@@ -66,8 +67,8 @@ public:
     // Returns the present position of the thing with this name, or no value if there is none.
     std::optional<Placement> thing_at(const std::string& name) const;
 
-    // Returns the state of the session for a teacher. Cost: some rays; once in each room, an examination of the whole
-    // room.
+    // Returns the state of the session for a teacher. The call casts some rays. The first call in each room examines
+    // the whole room.
     LessonView lesson_view();
 
     // Returns the requests to the owner, who reads them after each tick.
@@ -77,20 +78,20 @@ public:
     // Advances the session to `now_s`, which must never decrease. The walker moves for at most 0.1 s in each tick.
     void tick(double now_s, const servo::ToolState& tool, const servo::ToolState& left_tool = {});
 
-    // Saves what the person has learnt about the present world, if the person wants it to be remembered. The session
-    // does this every minute, and the owner calls it at the end.
+    // Saves what the person has learnt about the present world, if the person wants progress to be remembered. The
+    // session does this every minute, and the owner calls it at the end.
     void keep_learnt(double now_s);
 
-    // The outputs, which the owner fetches after each tick.
+    // The following functions return the outputs, which the owner fetches after each tick.
     std::shared_ptr<const Scene> scene() const { return state_.world.scene; }
     std::shared_ptr<const render::HapticScene> haptic_scene() const { return hand_.touch_view.felt(); }
     // Returns the output for a hand: 0 is the only or right hand, 1 the left hand.
     HandOutput hand(std::size_t which = 0) const;
     const servo::BodyFrame& bodies() const { return state_.world.things.frame(); }
-    // Returns the world. `entered` in it increases when another world is entered. If a thing is added, moved or
+    // Returns the world. Its member `entered` increases when another world is entered. If a thing is added, moved or
     // removed, scene() changes but `entered` does not.
     const WorldState& world() const { return state_.world; }
-    // Not const, because an owner may follow a route (Guide::follow_to).
+    // The result is not const, because an owner may follow a route (Guide::follow_to).
     Guide& guide() { return guide_; }
     const Bodies& free_bodies() const { return bodies_; }
     // Advances movable things in virtual time. Call it every millisecond if a hand is to feel them.
@@ -104,32 +105,34 @@ public:
     std::vector<cues::CueRequest> take_cues() { return state_.cues.take(); }
     // Returns the events since the last call (session_event.h). Announcements and sounds are not included.
     std::vector<SessionEvent> take_events() { return state_.events.take(); }
-    // Returns the settings that were changed in the session, as key and value. The owner stores and saves them.
+    // Returns the settings that were changed in the session, as key and value, since the last call. The owner stores
+    // and saves them.
     std::vector<std::pair<std::string, std::string>> take_setting_changes() {
         return std::exchange(state_.person.changes, {});
     }
     const settings::Settings& settings() const { return state_.person.settings; }
     ViewState view(const servo::ToolState& tool, const std::string& last_spoken) const;
     const KeyMap& keys() const { return state_.person.keys; }
-    // True if nothing is pending: no steps, no turn, no held key, no answer.
+    // Returns true if nothing is pending: no steps, no turn, no held key, no answer.
     bool idle() const;
-    // True if the first minutes have not yet reached the step that greets the person in the world.
+    // Returns true if the first minutes have not yet reached the step that greets the person in the world.
     bool greeting_waits() const { return lesson_session_.greeting_waits(); }
     const Vec3& feet_m() const { return state_.body.walker->state().feet_m; }
     bool standing() const { return state_.body.walker->state().on_ground; }
     double heading_rad() const { return state_.body.heading_rad; }
-    // Returns the free width across the walking direction, at the height of the waist. 0 means that a side is open.
+    // Returns the free width across the walking direction, at the height of the waist. The result is 0 if a side is
+    // open.
     double passage_width_m() const { return walk_.walking.passage_width_m(); }
 
-    // True while a background task makes a scene.
+    // Returns true while a background task makes a scene.
     bool works_in_background() const { return hand_.touch_view.busy() || settled_.busy(); }
 
     // Returns the answer to "where am I", which is also announced when a world is entered.
     std::string where_am_i() const { return where_.asking.where_am_i(); }
 
 private:
-    void wire();  // defined in session_wiring.cpp
-    // One function for each input of session_input.h:
+    void wire();  // session_wiring.cpp defines this function
+    // The following functions each apply one input of session_input.h.
     void enter_world(EnteringWorld world, double now_s);
     void place(const Vec3& feet_m, double heading_rad, double now_s);
     void set_hand(const HandFacts& hand, const settings::Settings& settings, double now_s);
@@ -159,7 +162,7 @@ private:
     void act(Command command, double now_s, int times = 1);
     void carry_out(Command command, double now_s, int times);
     bool act_itself(Command command, double now_s);
-    struct Carriers;  // defined in session_commands.cpp
+    struct Carriers;  // session_commands.cpp defines this struct
     void answer_what_was_too_early(double now_s);
     void publish_pose(double now_s, PoseChange change) { hand_.workspace.publish(now_s, change); }
     void play(cues::SoundKind kind, double now_s) { state_.cues.play(kind, now_s); }
@@ -167,16 +170,16 @@ private:
     void cue(cues::CueRequest request) { state_.cues.cue(std::move(request)); }
     void answer(std::string text, double now_s) { state_.cues.answer(std::move(text), now_s); }
     void quiet(double now_s) { state_.cues.quiet(now_s); }
-    // For lists, defined in session_dialogue.cpp:
+    // The following functions are for lists. session_dialogue.cpp defines them.
     bool reply(const DialogueReply& reply, double now_s);
     void bring_out(double now_s);
-    // For changes of the world:
+    // The following functions are for changes of the world.
     void change_world(Scene scene, double now_s);
     void settle();
     void take_settled();
     void tell_changes(double now_s);
-    bool anything_moves() const;  // true: things move, and will come to rest without further input
-    // For additions by the person, defined in session_additions.cpp:
+    bool anything_moves() const;  // returns true if things move that will come to rest without further input
+    // The following functions are for additions by the person. session_additions.cpp defines them.
     void take_additions();
     void tell_additions(double now_s);
     bool save_additions(double now_s);
@@ -184,7 +187,7 @@ private:
     void ask_for_last_place(double now_s);
     void take_others_additions();
     std::string entering_text() const;
-    // For an instructor's lessons, defined in session_teaching.cpp:
+    // The following functions are for an instructor's lessons. session_teaching.cpp defines them.
     void teach(const TeacherActed& act, double now_s);
     void lead_in_lesson(const TeacherActed& act, double now_s);
     void lay_blocked();
@@ -217,15 +220,15 @@ private:
     bool plan_view_ = false;
     struct Watched {
         std::vector<InputListener> inputs;
-        bool leads = false, list_open = false;  // as last reported by the events Leading and ListShown
+        bool leads = false, list_open = false;  // the values that the events Leading and ListShown reported last
     };
     Watched watched_;
     struct TooEarly {
         Command command;
         double asked_s = 0.0;
     };
-    // A question that the person asked while the rooms were still being searched for. It is answered once they are
-    // known.
+    // A question that the person asked while the session was still searching for the rooms. It is answered once the
+    // rooms are known.
     std::optional<TooEarly> too_early_;
 };
 

@@ -1,5 +1,5 @@
-// The part of the session for additions to a world. It reads their file when the world is entered, and saves it when
-// the person or another session changes it. App thread only.
+// The part of Session that reads the file of additions when a world is entered, and saves it when the person or another
+// session changes the additions. Use it on the app thread only.
 #include <utility>
 
 #include "app/core/session/session.h"
@@ -48,14 +48,14 @@ bool Session::save_additions(double now_s) {
 // additions are in memory meanwhile.
 void Session::tick_additions(double now_s) {
     if (!state_.additions_due_s || now_s < *state_.additions_due_s) return;
-    // A repeated failure is not announced, because that would happen every half minute.
+    // A repeated failure is not announced, because the announcement would come every half minute.
     if (!state_.additions.save()) state_.additions_due_s = now_s + kRetryAdditions_s;
     else save_additions(now_s);
 }
 
-// Call it when another session has changed the additions to this world. All of them are read again.
+// Reads all additions to this world again. Call it when another session has changed them.
 void Session::take_others_additions() {
-    state_.lists.dialogue.close_all();  // open lists refer to items by index, and the indices may have changed
+    state_.lists.dialogue.close_all();  // Open lists refer to items by index, and the indices may have changed.
     places_.marks.take_again();
     places_.faults.take_again();
     places_.ways.take_again();

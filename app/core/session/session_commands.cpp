@@ -1,4 +1,5 @@
-// The part of the session for commands: a table of the features that carry them out. App thread only.
+// The part of Session that passes commands to the features, with a table of the features that carry out each command.
+// Use it on the app thread only.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ struct Session::Carriers {
     using Carrier = bool (*)(Session& session, Command command, double now_s, int times);
     struct Row {
         Command command;
-        std::array<Carrier, 2> games;  // tried first, for a game or a held thing
+        std::array<Carrier, 2> games;  // functions that are tried first, for a game or a held thing
         std::array<Carrier, 2> carriers;
     };
 
@@ -41,7 +42,7 @@ struct Session::Carriers {
     static bool exercise(Session& s, Command c, double now_s, int) { return s.learn_.teaching.exercise.act(c, now_s); }
     static bool itself(Session& s, Command c, double now_s, int) { return s.act_itself(c, now_s); }
 
-    // In the order of the enum Command.
+    // The rows are in the order of the enum Command.
     static constexpr std::array kRows{
         Row{Command::Forward, {bodies}, {walking}},
         Row{Command::Back, {bodies}, {walking}},

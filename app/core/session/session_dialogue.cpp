@@ -1,4 +1,5 @@
-// The part of the session for lists and typed answers: which keys they get, and what is announced. App thread only.
+// The part of Session that passes keys and typed lines to lists and questions, and announces their replies. Use it on
+// the app thread only.
 #include "app/core/dialogue/command_words.h"
 #include "app/core/dialogue/typed_sentences.h"
 #include "app/core/session/session.h"
@@ -41,7 +42,7 @@ bool Session::take_text(std::string_view utf8, double now_s) {
 }
 
 bool Session::leave_lists(double now_s) {
-    constexpr int kDeepest = 16;  // a limit, because leaving a list may open another one
+    constexpr int kDeepest = 16;  // limit of the loop, because leaving a list may open another one
     Dialogue& dialogue = state_.lists.dialogue;
     int left = 0;
     while (dialogue.is_open() && !dialogue.typing() && left < kDeepest) {
@@ -65,8 +66,8 @@ bool Session::take_line(std::string_view line, double now_s) {
     quiet(now_s);
     const DialogueReply said = state_.lists.dialogue.line(line, now_s);
     const auto asked = [&]() -> std::optional<Command> {
-        // While a list is open, a word for leaving the program counts as Command::Leave, because the word may be meant
-        // for the list.
+        // While a list is open, a word for leaving the program means Command::Leave, because the word may be meant for
+        // the list.
         if (is_quit_word(bare)) return Command::Leave;
         if (const auto command = command_of_word(bare)) return command;
         const auto sentence = typed_sentence(bare);

@@ -1,6 +1,6 @@
 // Passes data between a session, the servos of its hands, and speech and sound, in a fixed order. The owner provides
-// the time: real time in the program, virtual time in scenarios and tests, recorded time in a replay. It owns none of
-// the things that it connects. App thread.
+// the time: real time in the program, virtual time in scenarios and tests, recorded time in a replay. The driver owns
+// none of the objects that it connects. Use it on the app thread.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ public:
         servo::WorkspacePose pose;
         device::HandCommand simulated;  // command for a simulated hand
     };
-    // Additional functions of some owners. Each may be empty.
+    // Functions that some owners add. Each may be empty.
     struct Steps {
         // Called after the session's tick and before any data is passed on, with the states of the tools in that tick.
         std::function<void(double now_s, const servo::ToolState& tool, const servo::ToolState& left_tool)> ticked;
@@ -43,8 +43,8 @@ public:
     SessionDriver(Session& app, cues::EarsInbox& ears, Steps steps = {})
         : app_(app), ears_(ears), steps_(std::move(steps)) {}
 
-    // Sets the servo of hand 0 (the only or right hand) or hand 1. The servo then receives all data again. Null: the
-    // hand has no servo. `simulated` is the device of the hand if the session moves it.
+    // Sets the servo of hand 0 (the only or right hand) or hand 1. The servo then receives all data again. If `servo`
+    // is null, the hand has no servo. `simulated` is the device of the hand if the session moves that device.
     void drive(std::size_t which, servo::ServoInbox* servo, std::shared_ptr<device::SimulatedHand> simulated = nullptr);
 
     // Ticks the session, then calls hand_over(). `tool` and `left_tool` are the states that the servos published last.
@@ -52,22 +52,24 @@ public:
     // Passes the settings that the session has changed to their owner and to speech and sound. hand_over() calls it
     // first.
     void hand_over_settings();
-    // Passes on all changes since the last call, in this order: the settings; then world, cues and listener for sound
-    // and speech; then the data for the left and the right servo.
+    // Passes on all changes since the last call in this order:
+    // - the settings;
+    // - world, cues and listener for sound and speech;
+    // - the data for the left and the right servo.
     void hand_over();
 
     // Lets a set-up control the right hand until end_set_up(). Meanwhile, hand_over() does not touch that hand.
     void begin_set_up();
     void feel_set_up(const SetUpTouch& touch);
-    // `confirms` is how often the set-up requested to confirm a fault. The servo adds it to the number of confirmations
-    // by the session.
+    // Returns the right hand to the session. `confirms` is how often the set-up requested to confirm a fault. The servo
+    // adds it to the number of confirmations by the session.
     void end_set_up(std::uint32_t confirms);
 
 private:
     struct Hand {
         servo::ServoInbox* servo = nullptr;
         std::shared_ptr<device::SimulatedHand> simulated;
-        // As last sent to speech, sound and servos:
+        // The following values were sent to speech, sound and servos last.
         std::shared_ptr<const render::HapticScene> scene, desk;
         std::uint64_t bodies = 0;
         std::uint32_t guidance = 0;

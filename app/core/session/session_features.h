@@ -1,5 +1,5 @@
-// Groups of the features of the session, one struct for each folder. The members are in the order in which they depend
-// on each other. App thread only.
+// Groups the features of the session, with one struct for each folder. The members are in the order in which they
+// depend on each other. Use them on the app thread only.
 #pragma once
 
 #include "app/core/context/session_state.h"
@@ -77,7 +77,7 @@ struct HandFeatures {
     Forces forces;
 };
 
-// Features for what the person saves of a world in order to return to it.
+// Features that save places and routes of a world, so that the person can return to them.
 struct PlacesFeatures {
     PlacesFeatures(SessionState& state, Rooms& rooms, const PlannedStops& planned)
         : marks(state.context, state.world.marks),

@@ -1,5 +1,5 @@
-// All input of a session, one type for each kind. Only Session::apply applies it. Window, terminal, scenarios, tests
-// and replays use it. Plain data.
+// Defines all input of a session, with one type for each kind of input. Only Session::apply applies input. Window,
+// terminal, scenarios, tests and replays make it. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@
 
 namespace handrail::core {
 
-// A key was pressed, or released; given as its command.
+// A key was pressed or released. The key is given as its command.
 struct CommandDown {
     Command command;
     int times = 1;  // number of steps or turns if the person typed a count; otherwise 1
@@ -32,9 +32,10 @@ struct CommandDown {
 struct CommandUp {
     Command command;
 };
-// Input to lists, questions and anything else that waits for a key (dialogue.h): a key by name, characters, a terminal
-// line, or an action of a screen reader on an item of the open list. If none of them uses the input, apply() returns
-// false, and the caller treats the input as a command. They never use a key that stops force, sound or speech.
+// Input to lists, questions and anything else that waits for a key (dialogue.h). The input is a key by name,
+// characters, a terminal line, or an action of a screen reader on an item of the open list. If none of the receivers
+// uses the input, apply() returns false, and the caller treats the input as a command. The receivers never use a key
+// that stops force, sound or speech.
 struct KeyTapped {
     std::string key;
 };
@@ -51,18 +52,18 @@ struct ItemActed {
     ItemAct act;
 };
 // The position of the sticks, which act in addition to keys until the next value or until the keyboard focus is lost. A
-// value that is not finite counts as the rest position.
+// value that is not finite is replaced by the rest position.
 struct Steered {
     Steering steering;
 };
-// The window has lost or regained the keyboard focus. While the focus is lost, no key counts as held, and the force
+// The window has lost or regained the keyboard focus. When the focus is lost, all held keys are released, and the force
 // fades out.
 struct FocusChanged {
     bool focused;
 };
 // The number of presses of the stop key, counted by the part that sees the key before the app thread does
-// (ServoSwitches::stops). It comes before the keys of each frame. The servo has already stopped, and this input stops
-// everything else.
+// (ServoSwitches::stops). This input comes before the keys of each frame. The servo has already stopped, and this input
+// stops everything else.
 struct Stopped {
     std::uint32_t count;
 };
@@ -75,49 +76,53 @@ struct HandMoved {
 struct SettingSet {
     std::string key, value;
 };
-// New settings from outside; the world stays. If the workspace changes, the force rises again from zero.
+// New settings from outside the session. The world stays the same. If the workspace changes, the force rises again from
+// zero.
 struct SettingsChanged {
     settings::Settings settings;
 };
-// Another device for the only or right hand, or none. The settings come from outside, as in SettingsChanged.
+// Another device for the only or right hand, or no device. The settings come from outside the session, as in
+// SettingsChanged.
 struct HandChanged {
     HandFacts hand;
     settings::Settings settings;
-    // True: the hand is simulated because there is no device, so lessons speak of walking.
+    // True: the hand is simulated because there is no device, so lessons explain walking instead of touching.
     bool for_want_of_one = false;
 };
-// A second device for the left hand, or none. It has its own proxy and its own force ceiling, but the same workspace
-// and the same scale as the first. If one hand moves the workspace, the other hand's proxy moves along.
+// A second device for the left hand, or no device. The left hand has its own proxy and its own force ceiling, but the
+// same workspace and the same scale as the right hand. If one hand moves the workspace, the other hand's proxy moves
+// with it.
 struct LeftHandChanged {
     HandFacts hand;
 };
-// A usable device has been plugged in. The session announces it, and the next press of the force key takes it.
+// A usable device has been plugged in. The session announces the device, and the next press of the force key switches
+// to it.
 struct HandOffered {
     std::string spoken_name;
 };
 // Enters a world. The walker is placed at the start of the world, and the session announces that place.
-// - additions: what the person added to the world, with the file; none: additions stay in memory and are lost with
-//   the world.
-// - request: the file and how it was read, for the case that it must be read again.
-// - settings: the person's settings from now on, including those of this world instead of the previous one; none:
-//   unchanged.
+// - additions: what the person added to the world, with the side file; none: additions stay in memory and are lost
+//   with the world.
+// - request: the file and how it was read, so that the world can be read again.
+// - settings: the person's settings from now on. They include the settings of this world instead of the previous one.
+//   none: the settings stay the same.
 struct WorldEntered {
     EnteringWorld world;
     std::optional<SideFile> additions = {};
     WorldRequest request = {};
     std::optional<settings::Settings> settings = {};
 };
-// Moves the walker to another place in this world, and the workspace with it.
+// Moves the walker, and the workspace with the walker, to another place in this world.
 struct Placed {
     Vec3 feet_m;
     double heading_rad = 0.0;
 };
-// A sentence from outside, such as a problem while loading or news about a device.
+// A sentence to announce from outside the session, such as a problem while loading or news about a device.
 struct Told {
     std::string text;
     cues::SpeechClass speech_class = cues::SpeechClass::Answer;
 };
-// Lines about these topics were cut off, and now speech is silent and no key is pressed. The session says again what is
+// Lines about these topics were cut off. Now speech is silent and no key is pressed, so the session says again what is
 // still true.
 struct LinesOwed {
     cues::SpeechTopics topics;
@@ -135,16 +140,16 @@ struct LessonLeft {};
 // The set-up that the session requested has ended, or the person has left it.
 struct SetUpOver {};
 // The last place of a session that crashed. With the command LastPlace, the person requests to continue there. The
-// owner then reads that world if necessary and sends WentOnAt.
+// owner then reads the world of that place if necessary and sends WentOnAt.
 struct LastPlaceKnown {
     LastPlace place;
 };
-// Moves the walker to `place` in the present world, or next to what is there now, and announces the place. If the place
-// is no longer in the world, the walker is not moved.
+// Moves the walker to `place` in the present world, and announces the place. If a solid is there now, the walker is
+// placed next to it. If the place is no longer in the world, the walker is not moved.
 struct WentOnAt {
     LastPlace place;
 };
-// What is known of an earlier session that crashed: the file of the report, and the lines of the report.
+// What is known of an earlier session that crashed: the file of the report, and the lines of that report.
 struct CrashReportKnown {
     std::string file;
     std::vector<std::string> lines;

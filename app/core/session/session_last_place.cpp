@@ -1,4 +1,4 @@
-// The part of the session for continuing where an earlier session crashed. App thread only.
+// The part of Session that continues where an earlier session crashed. Use it on the app thread only.
 #include <algorithm>
 
 #include "app/core/session/session.h"
@@ -7,7 +7,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kOutside_m = 10.0;  // a stored place farther outside the world cannot be right
+constexpr double kOutside_m = 10.0;  // a stored place that is farther outside the world than this is wrong
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Options that the owner of a session sets once, when it makes the session. Plain data.
+// Defines the options that the owner of a session sets once, when it makes the session. Plain data.
 #pragma once
 
 #include <filesystem>
@@ -13,16 +13,16 @@ namespace handrail::core {
 struct SessionOptions {
     // Runs the background tasks. It must outlive the session.
     const Executor& executor = at_once();
-    // Folder for best times. If it is empty, they are lost when the session ends.
+    // Folder for best times. If it is empty, best times are lost when the session ends.
     std::filesystem::path records_in = {};
-    // Folder of the person's own language files. If it is empty, there are only the bundled languages.
+    // Folder of the person's own language files. If it is empty, only the bundled languages can be spoken.
     std::filesystem::path languages_in = {};
     BodyEngines bodies = {};
-    // Records or determines in which tick the result of a background task arrives. It must outlive the session. Null:
-    // results arrive as soon as they are ready.
+    // Records or determines in which tick the result of a background task arrives. It must outlive the session. If it
+    // is null, results arrive as soon as they are ready.
     Arrivals* arrivals = nullptr;
-    // The rooms of worlds that several sessions on this thread enter, so that they are searched for only once. It must
-    // outlive the session. Null: the session searches for them itself.
+    // Shares the rooms of a world between several sessions on this thread, so that the program searches for the rooms
+    // only once. It must outlive the session. If it is null, the session searches for the rooms itself.
     RoomsKept* rooms_kept = nullptr;
 };
 
