@@ -16,7 +16,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kFinest_m = 0.05;  // width of a cell; the measured length of a 4 m wall is then exact within 1.3 %
+constexpr double kFinest_m = 0.05;  // width of a cell; with it, the measured length of a 4 m wall is exact within 1.3 %
 // Largest number of cells in a place; a hall of 40 by 25 m has this many cells of kFinest_m.
 constexpr std::size_t kMostCells = 400'000;
 
@@ -29,7 +29,7 @@ public:
                 feature.kind == FeatureKind::Door && !feature.bounds_m.empty() && overlap(feature.bounds_m, near))
                 doors_.emplace_back(feature.bounds_m, FeatureId{i});
     }
-    // Returns the door that the short line between two places crosses. A leaf may be thinner than a cell, so several
+    // Returns the door that the short line from `a` to `b` crosses. A leaf may be thinner than a cell, so several
     // points of the line are tested.
     FeatureId between(const Vec3& a, const Vec3& b) const {
         for (int i = 0; i <= 4; ++i) {
@@ -73,7 +73,7 @@ std::vector<PlaceExit> exits_of_place(const Scene& scene, const navigation::Room
     return exits;
 }
 
-// Makes the place of a room. place_of_room() calls the public functions in their order here.
+// Makes the place of a room. place_of_room() calls the public functions in the order in which they are declared here.
 class PlaceMaker {
 public:
     PlaceMaker(const WalkerWorld& world, const navigation::WalkSpace& space, const navigation::RoomGraph& graph,
@@ -83,9 +83,9 @@ public:
     // Makes the grid. Its cells are those of the walk space, subdivided if they are coarse, plus a margin that the room
     // does not reach. Returns false if the room has no cells.
     bool lay_cells();
-    // Gives each cell where a walker can stand to this room or to another one.
+    // Assigns each cell where a walker can stand to this room or to another one.
     void share_out();
-    // Extends all rooms towards the walls at the same pace, so that a strip of floor along a wall goes to the nearer
+    // Extends all rooms towards the walls at the same pace, so that a strip of floor along a wall belongs to the nearer
     // room.
     void grow_to_walls(const Doors& doors);
     // Finds the cells outside: those that do not belong to the room and are connected to the margin.
@@ -104,8 +104,8 @@ private:
                 static_cast<int>(space_.spans[span].cell / space_.width)};
     }
     bool of_room(std::uint32_t span) const { return graph_.room_of_span[span] == room_; }
-    // True if a walker's place counts as part of a room. Places in a doorway do not count, except for a room that
-    // consists only of a doorway.
+    // Returns true if the place `span` is part of a room. Places in a doorway are not, unless the room consists only of
+    // a doorway.
     bool counts(std::uint32_t span) const {
         return space_.spans[span].door == navigation::kNothing || (doorway_ && of_room(span));
     }
@@ -127,7 +127,7 @@ private:
     const navigation::WalkerMeasures& body_ = space_.body;
     const WalkerShape column_{0.0, body_.height_m - body_.step_up_m - 0.1};
     const Vec3 up_{0.0, 0.0, body_.step_up_m + 0.02};
-    // Distance from the nearest place for the walker's centre into a corner.
+    // Distance from the nearest place where the walker's centre can be to the tip of a corner.
     const double reach_m_ = 1.5 * body_.radius_m;
     bool doorway_ = true;
     int x0_ = static_cast<int>(space_.width), y0_ = static_cast<int>(space_.depth), x1_ = -1, y1_ = -1;
@@ -137,7 +137,7 @@ private:
     int cut_ = 1, merged_ = 1, margin_ = 0;
     Place place_;
     std::vector<std::uint8_t> owner_;
-    std::vector<std::uint32_t> seed_;  // the cell from which each cell was reached
+    std::vector<std::uint32_t> seed_;  // for each cell, the cell from which the floor was extended to it
     std::vector<bool> solid_, outside_;
 };
 
@@ -162,7 +162,7 @@ bool PlaceMaker::fits() {
 
 bool PlaceMaker::lay_cells() {
     if (!measure_room()) return false;
-    // A huge place gets coarser cells, so that examining it takes no longer than for a large one.
+    // A huge place gets coarser cells, so that examining it takes no longer than examining a large one.
     cut_ = std::max(1, static_cast<int>(std::ceil(space_.cell_m / kFinest_m - 1e-6)));
     while (!fits()) cut_ > 1 ? --cut_ : ++merged_;
     place_.cell_m = space_.cell_m * merged_ / cut_;
@@ -222,7 +222,8 @@ void PlaceMaker::grow_to_walls(const Doors& doors) {
     for (std::size_t i = 0; i < place_.free.size(); ++i) place_.free[i] = owner_[i] == Own;
 }
 
-// Extends the floor from cell `here` to its neighbour, which gets the same owner. Returns false if there is no floor.
+// Extends the floor from cell `here` to its neighbour, which then belongs to the same room. Returns false if there is
+// no floor.
 bool PlaceMaker::floor_goes_on(const Doors& doors, std::size_t here, int cx, int cy, int dx, int dy) {
     const int x = cx + dx, y = cy + dy;
     const std::size_t there = place_.at(x, y);
@@ -273,7 +274,7 @@ void PlaceMaker::find_walls(const Doors& doors) {
     place_.exits = exits_of_place(world_.scene(), graph_, room_, place_.walls);
 }
 
-// Returns the piece of wall between a cell and its neighbour. No value if there is a drop or another room.
+// Returns the piece of wall between a cell and its neighbour. Returns no value if there is a drop or another room.
 std::optional<WallSample> PlaceMaker::wall_beside(int x, int y, int dx, int dy, const Doors& doors) const {
     const Vec3 from = place_.middle_m(x, y), way(dx, dy, 0.0);
     WallSample sample{from + way * (0.5 * place_.cell_m), -way, doors.between(from, from + way * place_.cell_m),

@@ -1,5 +1,5 @@
-// The part of the session for settings that change while it runs: all settings from outside, or one setting from any
-// input. App thread only.
+// The part of Session that applies changed settings while the session runs: all settings from outside, or one setting
+// from any input. Use it on the app thread only.
 #include <algorithm>
 #include <array>
 
@@ -15,10 +15,10 @@ enum class Follows : std::uint8_t {
     Nothing,
     Pose,       // move the workspace
     Tuning,     // tune the servo again, which lets the force rise again from zero
-    UnderHand,  // turn or change the workspace, while the point of the world under the hand stays
-    Scale,      // change the scale, while the point under the hand stays; no named scale is effective after that
+    UnderHand,  // turn or change the workspace; the point of the world under the hand stays under the hand
+    Scale,      // change the scale; the point under the hand stays there, and no named scale is effective after that
     Keys,       // assign keys to other commands
-    Language,   // take names from another language
+    Language,   // get the names from another language
 };
 struct Consequence {
     std::string_view key;  // key of a setting; a key that ends with a dot is a prefix
@@ -65,7 +65,7 @@ void Session::change_settings(const settings::Settings& settings, double now_s) 
     if (state_.world.scene) hand_.workspace.take_settings(now_s);
 }
 
-// Takes over all settings. The caller handles the consequences for the hand and the world.
+// Applies all settings. The caller applies the consequences for the hand and the world.
 void Session::take_settings(settings::Settings settings, double now_s) {
     speak_language_of(settings.speech, now_s);
     state_.person.settings = std::move(settings);
@@ -77,11 +77,11 @@ void Session::speak_language_of(const settings::Settings::Speech& speech, double
     if (speech.language == state_.person.settings.speech.language) return;
     for (const Diagnostic& fault : speak_as_set(speech, menu_.languages().folder()))
         say(fault.sentence(), cues::SpeechClass::Answer, now_s);
-    desk_visit_.furnish();  // the controls of the desk get names in the new language
+    desk_visit_.furnish();  // The controls of the desk get names in the new language.
 }
 
-// Changes one setting; all changes of a single setting go through this function. The owner of the settings stores and
-// saves them.
+// Changes one setting. Every change of a single setting goes through this function. The owner of the settings stores
+// and saves them.
 Result<void> Session::set(std::string_view key, const std::string& value, double now_s) {
     settings::Settings changed = state_.person.settings;
     if (auto done = settings::change_setting(changed, key, value); !done) return done;
@@ -92,7 +92,7 @@ Result<void> Session::set(std::string_view key, const std::string& value, double
     return {};
 }
 
-// Takes over `changed`, in which only the value of `key` is new, with the consequences.
+// Applies `changed`, in which only the value of `key` is new, with the consequences of that change.
 void Session::follow(std::string_view key, settings::Settings changed, double now_s) {
     const Follows follows = what_follows(key);
     if (follows == Follows::Language) speak_language_of(changed.speech, now_s);

@@ -1,5 +1,5 @@
-// The part of the session for an instructor's lessons: what a teacher does to the session, and what a teacher sees of
-// it. App thread only.
+// The part of Session for an instructor's lessons: it carries out what a teacher requests, and returns what a teacher
+// sees. Use it on the app thread only.
 #include <algorithm>
 
 #include "app/core/session/session.h"
@@ -42,8 +42,8 @@ void Session::teach(const TeacherActed& act, double now_s) {
     tell_changes(now_s);
 }
 
-// If there is a hand, the lesson guides the hand. Otherwise it guides by words if the amount of guidance is at least
-// half, and by the sound of the goal alone if it is less.
+// If there is a hand, the lesson guides the hand. If there is none, the amount of guidance decides: from a half on, the
+// lesson guides by words, below a half by the sound of the goal alone.
 void Session::lead_in_lesson(const TeacherActed& act, double now_s) {
     constexpr double kByWords = 0.5;
     guide_.limit_help(std::clamp(act.number, 0.0, 1.0));

@@ -1,5 +1,5 @@
-// All connections between features and the session: what features may request of it, and which other features get their
-// events. App thread only.
+// Connects the features with each other and with the session: it sets what features may request of the session, and
+// which other features get their events. Use it on the app thread only.
 #include <cmath>
 
 #include "app/core/menu/setting_lists.h"
@@ -90,7 +90,7 @@ void Session::wire() {
     walk_.walking.on_bumped = [this](FeatureId feature, double now_s) {
         lesson_session_.note_bump(feature);
         guide_.note_stop(feature);
-        // In games, a walker who walks against a button presses it.
+        // In games, a walker who walks against a button presses the button.
         if (const int met = mover_of(state_.world, feature);
             met >= 0 && state_.world.scene->features[feature.value].kind == FeatureKind::Button)
             movers_.doors.press(static_cast<std::uint32_t>(met), false, now_s);
@@ -98,8 +98,8 @@ void Session::wire() {
     };
     hand_.touch_view.openings = [this] {
         if (where_.rooms.awaited()) return KnownOpenings{{}, true};
-        // Uses found() instead of known(): when a world has just been entered, its movers and the positions of its door
-        // leaves are not known yet.
+        // Use found() instead of known(), which needs the movers of the world and the positions of its door leaves.
+        // These are not available yet when a world has just been entered.
         return KnownOpenings{where_.rooms.found() ? open_portals(where_.rooms.graph()) : OpenPortals{}, false};
     };
     hand_.workspace.in_room_of_body = [this](const Vec3& place_m) {
@@ -142,7 +142,7 @@ void Session::wire() {
     };
     lesson_session_.world_greeting = [this] { return entering_text(); };
     lesson_session_.on_begin_here = [this](double now_s) { publish_pose(now_s, PoseChange::Placed); };
-    // The hunt takes place in the bundled house. If there is no such house, it takes place here.
+    // The hunt takes place in the bundled house. If there is no such house, it takes place in the present world.
     lesson_session_.on_hunt = [this](double now_s) {
         const auto house = menu_.worlds().bundled("house");
         if (!house) {

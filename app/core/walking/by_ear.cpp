@@ -24,7 +24,7 @@ constexpr double kToldClimb_m = 0.3;      // a change of height by more than thi
 constexpr double kBeforeStairs_m = 0.35;  // following stops when the walker's edge is this far from the first riser
 constexpr double kStairsLookedForEvery_m = 0.1;  // the walker's distance between two searches for stairs
 constexpr double kStairsSeen_m = 2.0;            // how far ahead the search examines the ground
-// After this distance on level ground, the stairs are over or the walker did not take them.
+// if the ground is level for this distance, the stairs are over, or the walker did not take them
 constexpr double kLevelAgain_m = 1.5;
 
 }  // namespace
@@ -141,7 +141,7 @@ bool ByEar::start_trail(TrailSide side, double now_s) {
 }
 
 // Announces in which direction the walk along the wall leads. Does nothing if the person already faces that direction
-// with the wall at that side.
+// with the wall at the chosen side.
 void ByEar::tell_start(double now_s) {
     const double heading_rad = trail_.heading_rad();
     const bool turns = std::abs(wrap_angle(heading_rad - body_.heading_goal_rad)) > kToldTurn_rad;
@@ -186,7 +186,7 @@ std::optional<Vec3> ByEar::lead(double now_s, double dt_s) {
     return way.wish_m_per_s;
 }
 
-// Returns the new direction in words if it differs from the one last announced. Each change is announced once.
+// Returns the new direction in words if it differs from the direction announced last. Each change is announced once.
 std::string ByEar::going_words() {
     if (std::abs(wrap_angle(body_.heading_goal_rad - told_heading_rad_)) <= kToldTurn_rad) return {};
     told_heading_rad_ = body_.heading_goal_rad;
@@ -229,7 +229,7 @@ bool ByEar::waits_at_stairs(double heading_rad, double now_s) {
 void ByEar::tell_trail(const TrailEvent& event, double now_s) {
     const std::string name =
         cues::describe_feature(*context_.world.scene, event.feature, std::max(1, context_.settings.speech.verbosity));
-    // Joins both announcements into one sentence, because a newer name would replace the previous one.
+    // This joins the direction and `words` into one sentence, because a newer name would replace the previous one.
     const auto with_going = [this](std::string words) {
         if (const std::string going = going_words(); !going.empty())
             words += (words.ends_with('.') ? " " : ". ") + going;

@@ -1,7 +1,7 @@
-// Moving by ear: along a wall, back along the walked path, facing a wall squarely, and by leaps from thing to thing
-// (Leaping). This class says where the walker should go; Walking moves it. While it follows a wall, it announces each
-// new direction and each climb, and it stops before stairs until the person repeats the command. App thread only; world
-// metres.
+// Moves the walker by ear: along a wall, back along the walked path, facing a wall squarely, and by leaps from thing to
+// thing (Leaping). This class says where the walker should go, and Walking moves the walker. While it follows a wall,
+// it announces each new direction and each climb, and it stops before stairs until the person repeats the command. Use
+// it on the app thread only. Lengths are in world metres.
 #pragma once
 
 #include <functional>
@@ -18,31 +18,34 @@ namespace handrail::core {
 
 class ByEar : SessionPart {
 public:
-    // Turns the walker in `body`, and keeps in it the trail of points for the way back.
+    // Turns the walker in `body`, and stores there the trail of points for the way back.
     ByEar(const SessionContext& context, WalkerState& body, const HeldKeys& keys);
 
     void enter_world();
-    // Call it after the walker was moved elsewhere in the same world.
+    // Ends following a wall and going back. Call it after the walker was moved elsewhere in the same world.
     void set_down();
-    // Call it with every command before the command acts. Any other action ends following a wall and going back.
+    // Call it with every command before the command acts. A command other than those of this class ends following a
+    // wall and going back.
     void notice(Command command);
-    // Returns false if the command belongs to another feature. `times` is the number of steps along a wall or back.
+    // Carries out a command. `times` is the number of steps along a wall or back. Returns false if the command belongs
+    // to another feature.
     bool act(Command command, double now_s, int times = 1);
-    // True while following a wall or going back moves the walker.
+    // Returns true while following a wall or going back moves the walker.
     bool leads() const;
-    // Returns the intended horizontal velocity of the walker in metres per second. No value: the walker moves by the
-    // person's own keys.
+    // Returns the intended horizontal velocity of the walker in metres per second. Returns no value if the walker moves
+    // by the person's own keys.
     std::optional<Vec3> lead(double now_s, double dt_s);
-    // Drops the remaining distance of tapped keys.
+    // Drops the remaining distance of tapped keys, so that the walker stops.
     void halt();
     // Adds the walker's position to the trail for the way back.
     void lay_crumb();
-    // Keeps the present place for undoing. Call it before leaps, the command Home and the like.
+    // Stores the present place for undoing. Call it before leaps, before the command Home, and before any other command
+    // that moves the walker elsewhere.
     void keep_place() { leaping_.keep_place(); }
     // Returns the horizontal normal of the wall that the walker follows, or no value if it follows none.
     std::optional<Vec3> wall_at_side() const;
 
-    // Set by the session. They return the answer to "where am I" and the doors of the present room.
+    // The session sets these functions. They return the answer to "where am I" and the doors of the present room.
     std::function<std::string()> where_am_i;
     std::function<std::vector<LeapDoor>()> doors_of_room;
 
@@ -63,12 +66,13 @@ private:
     bool trail_to_event_ = false;  // true: the walker continues until the next event of the wall, such as a corner
     double retrace_left_m_ = 0.0;  // remaining distance back along the trail for tapped keys
     bool retracing_ = false;
-    double told_heading_rad_ = 0.0, told_z_m_ = 0.0;  // direction and height as last announced
-    // Stairs before which following a wall stops (`held`). If the person repeats the command, the walker continues over
+    double told_heading_rad_ = 0.0, told_z_m_ = 0.0;  // direction and height that were announced last
+    // Stairs at which following a wall stops (`held`). If the person repeats the command, the walker continues over
     // them (`climbs`) until the ground is level again.
     struct Stairs {
         bool held = false, climbs = false;
-        double z_m = 0.0, level_m = 0.0;  // z_m: height in the last tick; level_m: distance since then on level ground
+        // `z_m`: height in the last tick. `level_m`: distance since then on level ground.
+        double z_m = 0.0, level_m = 0.0;
         Vec3 from_m{0.0}, looked_m{1e9};
     };
     Stairs stairs_;

@@ -82,7 +82,7 @@ bool Footing::tell_place_once(const Vec3& place_m, bool drop, double now_s) {
     std::erase_if(told_, [&](const Told& told) { return now_s - told.time_s > kTellAgain_s; });
     for (Told& told : told_)
         if (told.drop == drop && glm::length(told.place_m - place_m) < kSamePlace_m) {
-            // The time starts again, so that the announcement is not repeated while the person stays there.
+            // The time starts again, so that the announcement is not repeated while the person stays at this place.
             told.time_s = now_s;
             return false;
         }
@@ -98,7 +98,7 @@ void Footing::tick(const Vec3& before_m, const WalkResult& walked, double now_s)
     tell_underfoot(feet - before_m, walked, now_s);
     const bool turned = std::abs(wrap_angle(body_.heading_rad - looked_.heading_rad)) > kLookEvery_rad;
     const bool went = glm::length(feet - looked_.from_m) > kLookEvery_m;
-    // During a turn, the ground that the walker faces for a moment does not count as ahead.
+    // During a turn, the walker faces some ground only for a moment. That ground is not announced as ahead.
     const bool turning = body_.heading_rad != body_.heading_goal_rad;
     if (!turning && (turned || went) && now_s - looked_.at_s >= (turned ? 0.1 : kLookEvery_s * 0.5)) {
         looked_.ahead = ground_ahead(*context_.world.solids, feet, body_.heading_rad,
@@ -165,7 +165,8 @@ void Footing::tell_ahead(double now_s) {
             phrase("walking.drop", {{"distance", distance_words(ahead.drop->distance_m, distances(context_))}}), now_s);
 }
 
-// Plays a beat before an edge, and a knock from a door that the walker faces. Silent while the person stands still.
+// Plays a beat before an edge, and a knock from a door that the walker faces. It is silent while the person stands
+// still.
 void Footing::beat_ahead(double now_s) {
     if (now_s - looked_.moved_s > kStill_s) return;
     if (looked_.ahead.drop) {

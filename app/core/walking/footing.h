@@ -1,5 +1,6 @@
-// The ground under and in front of the walker. This class announces stairs, ramps, drops and doors ahead. It stops the
-// walker at an edge until the person presses the key again. App thread only; world metres.
+// Examines the ground under and in front of the walker. This class announces stairs, ramps, drops and doors ahead. It
+// stops the walker at an edge until the person presses the key again. Use it on the app thread only. Lengths are in
+// world metres.
 #pragma once
 
 #include <vector>
@@ -13,11 +14,12 @@ namespace handrail::core {
 
 class Footing : SessionPart {
 public:
-    // Keeps the walker in `body` back at edges.
+    // Moves the walker in `body` back at edges.
     Footing(const SessionContext& context, WalkerState& body) : SessionPart(context), body_(body) {}
 
     void enter_world();
-    // Call it after the walker was moved elsewhere in the same world. Recent announcements are not repeated.
+    // Call it after the walker was moved elsewhere in the same world. Announcements from the last half minute are not
+    // repeated.
     void set_down();
     // Call it with every command before the command acts. If the person presses a walking key at an edge, the walker
     // may cross it.
@@ -28,7 +30,7 @@ public:
     // Announces changes of the ground. Call it each tick while the walker stands on the ground. `before_m` is the
     // walker's position in the last tick.
     void tick(const Vec3& before_m, const WalkResult& walked, double now_s);
-    // Factor on the pitch of footsteps: higher uphill.
+    // Returns a factor on the pitch of footsteps, which is higher uphill.
     double step_pitch() const { return underfoot_.step_pitch; }
 
 private:
@@ -46,7 +48,7 @@ private:
         double beat_s = -1e9, door_s = -1e9;
     };
     struct Edge {
-        bool held = false;       // true: the walker was stopped; announced once for each press of a key
+        bool held = false;       // true: the walker was stopped at an edge; announced once for each press of a key
         double at_s = -1e9;      // time when the walker was stopped
         bool confirmed = false;  // true: the person has confirmed, so the walker may cross the next edge
     };

@@ -8,8 +8,8 @@
 namespace handrail::core {
 namespace {
 
-// If the walker makes less than this share of a tick's distance, it counts as stopped, and the decision is made at
-// once.
+// If the walker makes less than this share of the intended distance in a tick, something has stopped it, and the
+// decision is made at once.
 constexpr double kHeadOn = 0.1;
 constexpr double kStraightIn_m = 0.01;
 constexpr int kMostLineUps = 2;

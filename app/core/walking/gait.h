@@ -1,7 +1,7 @@
 // Decides how a walk continues when the walker meets something. The walker slides along a surface that it meets at
 // under 45 degrees, and slides sideways into a doorway whose frame it meets. At anything else it stops. Measurements
-// and decisions match BlindGround::walk, so that spoken directions are valid for the session's walker. Plain state; app
-// thread. World metres.
+// and decisions match BlindGround::walk, so that spoken directions are valid for the session's walker. Plain state for
+// the app thread, in world metres.
 #pragma once
 
 #include <functional>
@@ -13,24 +13,25 @@ namespace handrail::core {
 
 class Gait {
 public:
-    // Call it when another walk begins. Earlier contacts no longer count.
+    // Forgets earlier contacts. Call it when another walk begins.
     void begin() { *this = {}; }
-    // Call it when the walker does not walk. It ends a slide to the side.
+    // Ends a slide to the side. Call it when the walker does not walk.
     void stand() { aside_m_ = 0.0; }
     // Returns how far the walker must still slide to the side into a doorway, positive to the right of the walking
     // direction. The walk waits meanwhile.
     double aside_left_m() const { return aside_m_; }
     // Call it after each tick of a slide to the side, with the intended and the actual distance. If the actual distance
-    // is shorter, something is in the way, so the slide ends and the walk continues from there.
+    // is shorter, an obstacle stopped the slide. The slide then ends, and the walk continues from there.
     void went_aside(double wished_m, double made_m);
 
     enum class Course { On, Along, Aside, Stopped };
-    // Call it after each tick of the walk itself, with the intended and the actual distance. `met`: the walker touched
-    // something. `line_up_m` (see BlindGround::line_up_m) is called when the walker is stopped; it may be null.
+    // Call it after each tick of the walk itself, with the intended and the actual distance. `met` is true if the
+    // walker touched something. `line_up_m` is called when the walker is stopped, and may be null.
+    // BlindGround::line_up_m explains its result.
     Course went(double wished_m, double made_m, bool met, const std::function<std::optional<double>()>& line_up_m);
 
 private:
-    double wished_m_ = 0.0, made_m_ = 0.0;  // distances since the last decision
+    double wished_m_ = 0.0, made_m_ = 0.0;  // intended and actual distance since the last decision
     double aside_m_ = 0.0;
     int lined_up_ = 0;
 };

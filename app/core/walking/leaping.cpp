@@ -14,7 +14,7 @@ namespace handrail::core {
 namespace {
 
 constexpr std::size_t kMostUndo = 16, kMostPlaces = 64;
-// A mark counts as on this floor if it is at most this far above or below the waist.
+// a mark is on this floor if it is at most this far above or below the waist
 constexpr double kMarkHeight_m = 1.5;
 constexpr double kTellHeight_m = 0.3;  // if a leap changes the height by more than this, that is announced
 
@@ -39,7 +39,7 @@ void Leaping::keep_place() {
 }
 
 void Leaping::undo(double now_s) {
-    // The walker is never put back into a solid or where something stands now.
+    // Remove places that are now inside a solid, so that the walker is never moved there.
     std::erase_if(
         undo_, [&](const Place& place) { return context_.world.solids->blocked(place.feet_m, body_.walker->shape()); });
     if (undo_.empty()) {
@@ -107,7 +107,7 @@ std::optional<Leaping::Place> Leaping::place_at(const Target& target) const {
 
 std::string Leaping::name_of_target(const Target& target) const {
     if (target.mark) return context_.world.marks[target.number - context_.world.scene->features.size()].name;
-    constexpr int kNameAndMaterial = 2;  // a higher verbosity would add whole sentences
+    constexpr int kNameAndMaterial = 2;  // Use this verbosity at most, because a higher one would add whole sentences.
     return cues::describe_feature(*context_.world.scene, FeatureId{target.number}, kNameAndMaterial);
 }
 

@@ -1,6 +1,7 @@
 // Moves the walker in leaps from one nearby thing to the next, and back, and announces each new place. The next thing
-// is the nearest one that has not been visited since the last walk or turn. The doors of the room are included. Also
-// undoes every command that moved the walker elsewhere. App thread only; world metres.
+// is the nearest one that has not been visited since the last walk or turn. The doors of the room are included. The
+// class also undoes every command that moved the walker elsewhere. Use it on the app thread only. Lengths are in world
+// metres.
 #pragma once
 
 #include <functional>
@@ -20,18 +21,19 @@ struct LeapDoor {
 
 class Leaping : SessionPart {
 public:
-    // `where_am_i` returns the answer to that question. `doors` returns the doors of the present room, or none if the
-    // rooms are not known. Both may be set later, and must outlive this object.
+    // `where_am_i` returns the answer to the question "where am I". `doors` returns the doors of the present room, or
+    // none if the rooms are not known. Both functions may be set later, and must outlive this object.
     Leaping(const SessionContext& context, const WalkerState& body, const std::function<std::string()>& where_am_i,
             const std::function<std::vector<LeapDoor>()>& doors)
         : SessionPart(context), body_(body), where_am_i_(where_am_i), doors_(doors) {}
 
     void enter_world();
-    // Call it after any other movement. The series then begins again with the nearest thing.
+    // Begins the series again with the nearest thing. Call it after any other movement.
     void begin_anew() { leapt_.clear(); }
-    // Handles leaps and undoing. Returns false if the command belongs to another feature.
+    // Carries out leaps and undoing. Returns false if the command belongs to another feature.
     bool act(Command command, double now_s);
-    // Keeps the present place for undoing. Call it before leaps, the command Home and the like.
+    // Stores the present place for undoing. Call it before leaps, before the command Home, and before any other command
+    // that moves the walker elsewhere.
     void keep_place();
 
 private:
@@ -39,7 +41,8 @@ private:
         Vec3 feet_m{0.0};
         double heading_rad = 0.0;
     };
-    // Something to leap to. `number` is the number of its feature; marks are numbered after all features.
+    // A place to which the walker can leap. `number` is the number of its feature. Marks are numbered after all
+    // features.
     struct Target {
         std::uint32_t number = 0;
         double bearing_rad = 0.0, distance_m = 0.0;  // from the walker, in the horizontal plane

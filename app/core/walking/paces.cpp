@@ -14,8 +14,8 @@ namespace {
 constexpr double kMostTaps = 8.0;
 constexpr double kShoulder_m = 0.08;  // length of the examined space in front of a shoulder; also its width
 
-// Returns 1 if only the right shoulder has met something, -1 if only the left shoulder has, so that the middle of the
-// body would have passed. Otherwise returns 0.
+// Returns 1 if only the right shoulder has met something, -1 if only the left shoulder has. In both cases the middle of
+// the body would have passed. Otherwise returns 0.
 int shoulder_met(const SessionContext& context, double way_rad) {
     const WalkerWorld& solids = *context.world.solids;
     const WalkerSize& size = context.body.walker->size();
@@ -38,7 +38,7 @@ std::string state_words(const SessionContext& context, FeatureId feature) {
     if (std::string lock = lock_words(context, feature); !lock.empty()) return lock;
     const int mover = mover_of(context.world, feature);
     if (mover < 0) return {};
-    // A door may be in the way even if it is open, because of its leaf.
+    // The leaf of an open door may also block the walker, so the state of the door is announced.
     return phrase(shut(context.world, static_cast<std::uint32_t>(mover)) ? "questions.shut" : "questions.open");
 }
 

@@ -1,5 +1,5 @@
-// The steps that the person requested and the steps that the walker made: how many remain, and what is announced when
-// they are done or blocked. Functions and plain state; app thread.
+// Counts the steps that the person requested and the steps that the walker made: how many remain, and what is announced
+// when they are done or blocked. Functions and plain state for the app thread.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ namespace handrail::core {
 // that the walker does not continue for long. A typed count is walked in full.
 double more_to_go_m(double left_m, double step_m, int times);
 
-// Returns what the walker met and, unless it is straight ahead, on which side: "north wall, plaster", "Door, shut, left
-// shoulder", "north wall, behind". `way_rad` is the direction of the walk. Empty at verbosity 0.
+// Returns what the walker met: "north wall, plaster". If that is not straight ahead, adds the side: "Door, shut, left
+// shoulder", "north wall, behind". `way_rad` is the direction of the walk. The text is empty at verbosity 0.
 std::string met_words(const SessionContext& context, const TraceHit& met, double way_rad);
 
 // Counts the distance walked since the walker last stood still, in whole steps.
@@ -22,11 +22,11 @@ class Paces {
 public:
     void begin() { walked_m_ = 0.0; }
     void walked(double way_m) { walked_m_ += way_m; }
-    // Returns "6 steps", or an empty text if there was no step. Starts counting again.
+    // Returns "6 steps", or an empty text if there was no step, and starts counting again.
     std::string take(const SessionContext& context);
-    // Returns the announcement at an obstacle. For a person who types, it is "6 steps, then north wall", or "Blocked.
-    // North wall" if there was no step. For a person who uses keys in a window, it is only what was met, because the
-    // steps are audible. Starts counting again.
+    // Returns the announcement at an obstacle, and starts counting again. For a person who types, the announcement is
+    // "6 steps, then north wall", or "Blocked. North wall" if there was no step. For a person who uses keys in a
+    // window, it is only what was met, because the steps are audible.
     std::string take_blocked(const SessionContext& context, const std::string& met);
 
 private:
@@ -35,7 +35,7 @@ private:
 
 // Returns "Blocked. North wall, plaster".
 std::string blocked_words(const std::string& met);
-// True if the person types commands, so that the number of steps is announced.
+// Returns true if the person types commands, so that the number of steps is announced.
 bool tells_steps(const SessionContext& context);
 
 }  // namespace handrail::core

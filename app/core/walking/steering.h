@@ -1,4 +1,4 @@
-// What a stick or a puck requests of the walker. Plain data; any thread.
+// Defines what a stick or a puck requests of the walker. Plain data, which any thread may use.
 #pragma once
 
 namespace handrail::core {

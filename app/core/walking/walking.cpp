@@ -25,9 +25,11 @@ constexpr double kFreeTurn_rad = 5.0 * kPi / 180.0;
 constexpr double kTiltRate_rad_per_s = 0.8;
 constexpr double kMostTilt_rad = 1.2;
 constexpr double kToneRange_m = 2.0;
-// After a person has stood this long within kStands_m, the wall tone is silent, because the person knows the wall.
+// If a person has stood this long without moving more than kStands_m, the wall tone is silent, because the person knows
+// the wall.
 constexpr double kToneStanding_s = 3.0, kStands_m = 0.01;
-// Delay after a turn; a further turn starts it again, so that several turns are announced by one heading.
+// Delay between a turn and the announcement of the heading. A further turn starts the delay again, so that one heading
+// is announced for several turns.
 constexpr double kHeadingTold_s = 0.1;
 constexpr double kRests_s = 0.1;  // the walker is at rest once it has not moved for this long
 constexpr double kSameBase_m = 0.5;
@@ -42,7 +44,7 @@ void Walking::stand() {
     since_footstep_m_ = 0.0;
     gait_.begin();
     blocked_ = false;
-    brushed_ = {};  // the last contact may belong to another world
+    brushed_ = {};  // The last contact may belong to another world, so it is forgotten.
     heading_due_s_.reset();
     paces_.begin();
 }
@@ -129,7 +131,7 @@ bool Walking::act(Command command, double now_s, int times) {
             body_.heading_goal_rad =
                 wrap_angle(body_.heading_goal_rad + (command == Command::FreeLeft ? -kFreeTurn_rad : kFreeTurn_rad));
             return true;
-        case Command::TiltUp:  // these keys act while they are held
+        case Command::TiltUp:  // These keys act while they are held, so nothing is done when they are pressed.
         case Command::TiltDown:
             return true;
         case Command::Home:
@@ -184,8 +186,8 @@ void Walking::tick(double now_s, double dt_s) {
     walk(now_s, dt_s);
 }
 
-// Turns by keys and stick. The stick turns in proportion to its deflection, and the heading is announced when the stick
-// is at rest again.
+// Turns by keys and stick. The rate is in proportion to the deflection of the stick, and the heading is announced when
+// the stick is at rest again.
 void Walking::turn(double now_s, double dt_s) {
     const double free_keys = 0.5 * keys_.sign(Command::FreeRight, Command::FreeLeft);
     const double free_turn = steering_.turn_right + free_keys;
@@ -221,7 +223,8 @@ Vec3 Walking::own_wish(double& way_m, double dt_s) {
     if (side_keys != 0.0) return by(right, side_keys * stride);
     if (pending_.right_m != 0.0) return by(right, std::clamp(pending_.right_m, -stride, stride));
     if (steering_.ahead == 0.0 && steering_.right == 0.0) return Vec3(0.0);
-    // A stick moves the walker in proportion to its deflection, also sideways, but never faster than a key does.
+    // The speed is in proportion to the deflection of the stick, also sideways, but never higher than the speed of a
+    // key.
     const Vec3 pushed = ahead * steering_.ahead + right * steering_.right;
     const Vec3 wish = pushed * (speed / std::max(1.0, glm::length(pushed)));
     way_m = glm::length(wish) * dt_s;
@@ -326,7 +329,7 @@ void Walking::hover(bool wants_to_go, double now_s) {
     blocked_ = wants_to_go;
 }
 
-// Returns false if the contact stops the walk.
+// Decides how the walk continues after a contact. Returns false if the contact stops the walk.
 bool Walking::go_on(const WalkResult& walked, const Vec3& wish, double way_m, double now_s) {
     if (way_m == 0.0) return true;
     const double way_rad = std::atan2(wish.x, wish.y);
@@ -350,7 +353,7 @@ bool Walking::go_on(const WalkResult& walked, const Vec3& wish, double way_m, do
     return false;
 }
 
-// Announces which shoulder met the frame. It is the shoulder away from the doorway.
+// Announces which shoulder met the frame of a doorway: the shoulder away from the doorway.
 void Walking::tell_frame(double now_s) {
     if (blocked_) return;
     const bool left = gait_.aside_left_m() > 0.0;
@@ -393,8 +396,8 @@ void Walking::tell_step(const WalkerMotion& before, const WalkResult& walked, do
     context_.cues.cue(std::move(cue));
 }
 
-// Announces the number of steps once the walker rests. Only a person who types gets it, because there may be no sound
-// of footsteps.
+// Announces the number of steps once the walker rests. Only a person who types hears the announcement, because for that
+// person there may be no sound of footsteps.
 void Walking::tell_rest(bool goes, double now_s) {
     if (goes) walked_s_ = now_s;
     if (goes || now_s - walked_s_ < kRests_s) return;

@@ -10,7 +10,7 @@ void DirectionsGround::enter_world() {
 }
 
 void DirectionsGround::tick() {
-    // If the person has changed the step length, the floor is made again, because it counts in steps.
+    // If the person has changed the step length, the floor must be made again, because its distances are in steps.
     if (floor_ && floor_->step_m != context_.settings.walk.step_length_m) floor_.reset();
     (void)floor();
 }
@@ -31,7 +31,7 @@ std::shared_ptr<const DirectionsFloor> DirectionsGround::floor() {
 navigation::DoorsOpen DirectionsGround::open_now(const DirectionsFloor& floor) const {
     navigation::DoorsOpen open;
     for (const navigation::DirectionsDoor& door : floor.ground.doors())
-        // A door that is shutting counts as shut, because it will be shut when the person arrives.
+        // A door that is shutting is treated as shut, because it will be shut when the person arrives.
         open.push_back(
             !(context_.world.movers.at_goal(door.mover) == context_.world.scene->movers[door.mover].at(0.0)));
     return open;

@@ -1,6 +1,6 @@
-// The floor of the present world as it appears to a person who follows spoken directions, and the planner for routes on
-// it. A background task makes it once the rooms are known. App thread only. The returned floor is immutable, so any
-// thread may use it. World metres.
+// Makes the floor of the present world as it appears to a person who follows spoken directions, and the planner for
+// routes on that floor. A background task makes both once the rooms are known. Use this class on the app thread only.
+// The returned floor is immutable, so any thread may use it. Lengths are in world metres.
 #pragma once
 
 #include <cstdint>
@@ -39,9 +39,9 @@ public:
 
     void enter_world();
     void tick();
-    // Returns the floor. Null: it is not yet made, or there are no rooms.
+    // Returns the floor, or null if it is not made yet or there are no rooms.
     std::shared_ptr<const DirectionsFloor> floor();
-    // True while the floor is being made or the rooms are being searched for.
+    // Returns true while the floor is being made or the rooms are being searched for.
     bool awaited() const { return rooms_.awaited() || making_.busy(); }
     // Returns which doors of the floor are open now or opening.
     navigation::DoorsOpen open_now(const DirectionsFloor& floor) const;

@@ -43,8 +43,8 @@ ListItem item_of(const SessionContext& context, const Rooms& rooms, const FindGr
     return {group.name, phrase("guide.several", {{"count", group.found.size()}, {"nearest", nearest}})};
 }
 
-// Returns the goal with its room. A doorway of the present room counts as part of that room, whichever room contains
-// the door.
+// Returns the goal with its room. A doorway of the present room is treated as part of that room, whichever room
+// contains the door.
 Found place(const Rooms& rooms, std::uint32_t here, const navigation::FootDistances& on_foot, Goal goal) {
     const std::uint32_t room = room_of(rooms, goal.box_m);
     Found found{std::move(goal), room, {}};
@@ -123,7 +123,7 @@ void open_find_list(const SessionContext& context, const Rooms& rooms,
     list.items = items_of(context, rooms, *open);
     list.stays_open = true;
     list.adjusted = [&context, &rooms, open](std::size_t, int by) {
-        // Switch to the next kind of which there is something.
+        // Switch to the next kind for which there is at least one goal.
         for (int i = 0; i < kFindKinds; ++i) {
             open->kind = (open->kind + by + kFindKinds) % kFindKinds;
             open->groups = find_groups(context, rooms, static_cast<FindKind>(open->kind));

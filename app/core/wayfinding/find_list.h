@@ -1,5 +1,5 @@
-// The list of everything with a name, the nearest first. Things with the same name form a group, and each thing has its
-// place, room and storey. The list shows everything or only one kind. App thread only.
+// Lists everything with a name, the nearest first. Things with the same name form a group, and each thing has its
+// place, room and storey. The list shows everything or only one kind. Use it on the app thread only.
 #pragma once
 
 #include <cstdint>

@@ -52,8 +52,9 @@ Beacon::Beat Beacon::tick(const Vec3& feet_m, const cues::Listener& listener,
     return beat;
 }
 
-// The interval is 60 ms at the thing. From 5 mm at the hand on, each doubling of the distance adds 18 ms. That is at
-// least a ninth of the interval, so it is audible. The rhythm is fast, because each tick also conveys the direction.
+// The interval is 60 ms at the thing. If the hand is more than 5 mm away, each doubling of the distance adds 18 ms.
+// That is at least a ninth of the interval, so the difference is audible. The rhythm is fast, because each tick also
+// conveys the direction.
 double Warmer::interval_s(double felt_m) {
     return std::clamp(0.06 + 0.018 * std::log2(1.0 + felt_m / 0.005), 0.06, 0.5);
 }
@@ -68,7 +69,7 @@ Warmer::Beat Warmer::tick(double felt_m, const Vec3& place_m, bool found, bool h
     }
     const double interval = interval_s(felt_m);
     if (!heard || now_s - last_s_ < interval) return beat;
-    // Counts from when the beat was due, so that the rhythm stays even if the session ticks irregularly.
+    // The next interval begins when this beat was due, so that the rhythm stays even if the session ticks irregularly.
     last_s_ = now_s - last_s_ < 2.0 * interval ? last_s_ + interval : now_s;
     beat.sound = true;
     if (const double went_m = before_ ? glm::length(place_m - before_->place_m) : 0.0; went_m > kRests_hand_m)

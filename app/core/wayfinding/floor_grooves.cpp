@@ -7,7 +7,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kAgain_s = 1.0;  // shortest time between two ends of grooves for which new grooves are made
+constexpr double kAgain_s = 1.0;  // if grooves end twice within this time, no new grooves are made
 
 }  // namespace
 
@@ -29,7 +29,8 @@ std::optional<servo::GuidancePath> FloorGrooves::lay(const servo::GuidancePath& 
     const bool lie = path.number != 0 && path.kind == servo::GuidanceKind::Grooves;
     if (lie && felt.number == path.number && felt.phase != servo::GuidancePhase::Acts &&
         now_s - laid_.ended_s > kAgain_s) {
-        laid_.ended_s = now_s;  // the servo ended them at a jump of the workspace, or because force was forbidden
+        // The servo ended the grooves at a jump of the workspace, or because force was forbidden.
+        laid_.ended_s = now_s;
         laid_.ended = true;
     }
     const Vec3 here = finding_place_m(context_);

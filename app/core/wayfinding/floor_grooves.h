@@ -1,6 +1,6 @@
-// Makes grooves on the floor that the hand can feel, along the last planned route and through nearby doorways. The
-// person must want them, and no other guidance of the hand may be active. This class decides which grooves the servo
-// gets. Hand and world metres. App thread only.
+// Decides which grooves on the floor the servo gets. The hand can feel them along the last planned route and through
+// nearby doorways. The person must want them, and no other guidance of the hand may be active. Lengths are in hand and
+// world metres. Use this class on the app thread only.
 #pragma once
 
 #include <optional>
@@ -17,11 +17,11 @@ public:
     FloorGrooves(const SessionContext& context, Rooms& rooms, const RoutePlans& plans);
 
     void enter_world();
-    // True if the person wants grooves and a hand in the world can feel them.
+    // Returns true if the person wants grooves and a hand in the world can feel them.
     bool wished() const;
-    // Call it while no other guidance acts and force is permitted. `path` is the present path of the servo. Returns new
-    // grooves, which have no number yet, or no value if the present ones stay. New grooves are made for another route,
-    // another scale, or a hand that has moved far.
+    // Returns new grooves, which have no number yet, or no value if the present ones stay. New grooves are made for
+    // another route, another scale, or a hand that has moved far. `path` is the present path of the servo. Call this
+    // function while no other guidance acts and force is permitted.
     std::optional<servo::GuidancePath> lay(const servo::GuidancePath& path, double now_s);
 
 private:
@@ -31,8 +31,8 @@ private:
         std::vector<GrooveLeg> doorways;  // grooves through the doorways of this world
         bool doorways_known = false;
         bool ended = false;  // true: the servo has ended the grooves since they were made
-        unsigned way = 0;    // RoutePlans::changes() when they were made
-        Vec3 near_m{0.0};    // position of the hand when they were made
+        unsigned way = 0;    // RoutePlans::changes() when the grooves were made
+        Vec3 near_m{0.0};    // position of the hand when the grooves were made
         double good_within_m = 0.0;
         double scale = 0.0;
         double ended_s = -1e9;

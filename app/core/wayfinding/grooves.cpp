@@ -21,7 +21,8 @@ std::vector<GrooveLeg> grooves_through_doorways(const navigation::RoomGraph& gra
     std::vector<GrooveLeg> legs;
     for (const navigation::Portal& portal : graph.portals) {
         if (portal.kind != navigation::PassageKind::Door && portal.kind != navigation::PassageKind::Opening) continue;
-        for (const double heading_deg : {0.0, 90.0, 45.0, 135.0}) {  // directions square to most walls are tried first
+        // Directions square to most walls come first, because the first direction that fits is used.
+        for (const double heading_deg : {0.0, 90.0, 45.0, 135.0}) {
             const Vec3 way = forward_of_heading(radians_from_degrees(heading_deg)) * kThrough_m;
             const std::uint32_t one = space.at(portal.place_m - way), other = space.at(portal.place_m + way);
             if (one == navigation::kNothing || other == navigation::kNothing) continue;

@@ -1,6 +1,5 @@
-// Grooves on the floor for the hand, along the last planned route and through nearby doorways. This file selects the
-// grooves and converts them to the form of the servo. haptic/servo/guidance computes the force. Pure functions, app
-// thread.
+// Selects grooves on the floor for the hand, along the last planned route and through nearby doorways, and converts
+// them to the form of the servo. haptic/servo/guidance computes the force. Pure functions for the app thread.
 #pragma once
 
 #include <span>
@@ -20,9 +19,9 @@ struct GrooveLeg {
 // Returns one groove straight through each door and opening between two rooms of the same storey.
 std::vector<GrooveLeg> grooves_through_doorways(const navigation::RoomGraph& graph, const navigation::WalkSpace& space);
 
-// The grooves nearest to a place, as many as the servo can take. They are at the height of the centre of a proxy that
-// lies on the floor. While the hand is within `good_within_m` of the place, no nearer groove is missing. It is infinite
-// if all grooves fit.
+// The grooves nearest to a place, as many as a path of the servo can contain. They are at the height of the centre of a
+// proxy that lies on the floor. While the hand is within `good_within_m` of the place, no groove that is missing is
+// nearer than these. The distance is infinite if all grooves fit.
 struct Grooves {
     servo::GuidancePath path;
     double good_within_m = 0.0;

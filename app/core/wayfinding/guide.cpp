@@ -19,10 +19,10 @@ namespace handrail::core {
 namespace {
 
 constexpr double kLookRange_m = 30.0;
-constexpr double kNoWay_m = 1e6;         // larger than any distance on foot
+constexpr double kNoWay_m = 1e6;         // a distance larger than any distance on foot
 constexpr std::size_t kMostOnFoot = 16;  // number of routes planned for a list; each takes some milliseconds
 
-// Joins two sentences; either may be empty.
+// Joins two sentences. If one of them is empty, returns the other one.
 std::string beside(const std::string& first, const std::string& then) {
     return first.empty() || then.empty() ? first + then : first + " " + then;
 }
@@ -96,7 +96,7 @@ void Guide::follow(double now_s) {
     const RouteFollower::Said said = ear_.tick(now_s);
     const std::string name = ear_.name();
     if (said.left) {
-        // The route is planned again from the present place, and that is announced once.
+        // The person has left the route. It is planned again from the present place, and that is announced once.
         context_.events.tell(LeftRoute{name, LedBy::Ear}, now_s);
         if (plans_.runs_to(name)) go_on(phrase("lead.left_way"), now_s);
         else ear_.follow_again(phrase("lead.left_way"), now_s);
@@ -135,7 +135,7 @@ void Guide::lead(double now_s) {
 
 void Guide::call(double now_s) {
     if (seek_.tick_beacon(now_s)) {
-        // The route ends too, so that the arrival is announced only once.
+        // The route ends together with the beacon, so that the arrival is announced only once.
         if (ear_.name() == beacon().name() && !plans_.running()) ear_.stop();
         context_.play(cues::SoundKind::Arrived, now_s);
         context_.events.tell(Arrived{beacon().name(), LedBy::Beacon}, now_s);
@@ -162,8 +162,8 @@ void Guide::go_on(const std::string& first, double now_s) {
     ear_.follow(plans_.on(context_.body.feet_m()), stop.name, first, now_s);
 }
 
-// Call it when a stop is reached. If the route continues, announces that after `words`, which announce the arrival, and
-// returns true.
+// Continues the saved route after its stop was reached. If the route continues, announces that after `words`, which
+// announce the arrival, and returns true.
 bool Guide::next_stop(const std::string& words, double now_s) {
     const StopPassed passed{plans_.stop().name, plans_.by_hand() ? LedBy::Hand : LedBy::Ear};
     if (!plans_.next()) return false;
@@ -193,8 +193,8 @@ void Guide::list_routes(double now_s) {
     }
     const auto in_order = [](const Near& a, const Near& b) { return a.order_m < b.order_m; };
     std::stable_sort(near.begin(), near.end(), in_order);
-    // For the nearest rooms, the list shows the distance that is also announced when the room is chosen. For rooms
-    // farther away, the distance is announced only after the choice.
+    // For the nearest rooms, the list shows the same distance on foot that is announced when the room is chosen. For
+    // rooms farther away, the distance on foot is announced only after the choice.
     const std::size_t planned = std::min(near.size(), kMostOnFoot);
     for (std::size_t i = 0; i < planned; ++i)
         if (const navigation::Route route = ear_.to_room(near[i].room); route.reaches) {
@@ -398,8 +398,8 @@ void Guide::lead_to(const Goal& goal, const std::string& first, double now_s) {
     hand_.pull(way, help() * context_.settings.guidance.strength, std::move(words), now_s);
 }
 
-// Announces the route in words and follows it, as for a room. If nothing is between the walker and the thing, the
-// beacon sounds from the thing instead.
+// Announces the route in words and follows it, as for a room. If nothing is between the walker and the thing, announces
+// no route, and the beacon sounds from the thing.
 void Guide::lead_by_ear(const Goal& goal, const std::string& first, double now_s) {
     hand_.end();
     ear_.stop();
@@ -425,8 +425,8 @@ void Guide::lead_by_ear(const Goal& goal, const std::string& first, double now_s
     ear_.follow(std::move(route), goal.name, first, now_s);
 }
 
-// Sets lines from the hand along the route to the thing. If there is no route, or the person does not want it, sets
-// three planes through the thing that hold the hand gently.
+// Sets lines from the hand along the route to the thing. If there is no route, or the person does not want to use it,
+// sets three planes through the thing that hold the hand gently.
 void Guide::cross_lines(const Goal& goal, double now_s) {
     goal_ = goal;
     if (!context_.hands.right.present) return context_.answer(phrase("lead.lines_need_device"), now_s);

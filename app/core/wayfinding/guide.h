@@ -1,5 +1,6 @@
 // Guides the person to a goal, by the hand if there is one, or else by ear. This class decides what happens when the
-// person arrives, lets go or leaves the route. Other features request guidance here. World metres. App thread only.
+// person arrives, releases the hand or leaves the route. Other features request guidance from this class. Lengths are
+// in world metres. Use it on the app thread only.
 #pragma once
 
 #include <functional>
@@ -32,8 +33,8 @@ public:
           seek_(context, rooms, plans_, doors) {}
 
     void enter_world();
-    // Handles the commands SetBeacon, MuteBeacon, TakeMe, Find, CrossLines, Routes, Storeys and FaceWay, and those for
-    // the legs of a route. Returns false for other commands.
+    // Carries out the commands SetBeacon, MuteBeacon, TakeMe, Find, CrossLines, Routes, Storeys and FaceWay, and those
+    // for the legs of a route. Returns false for other commands.
     bool act(Command command, double now_s);
     // Call these three functions in each tick, in this order. They update the route that is followed by ear, the
     // guidance of the hand, and the sounds of the things that the person searches for.
@@ -44,66 +45,70 @@ public:
     void tell_anew(cues::SpeechTopic topic, double now_s);
 
     // ---- for other features ----
-    // Follows the stops of a saved route, guided by the hand or by ear. Leads to the first stop first, if necessary.
+    // Follows the stops of a saved route, guided by the hand or by ear. If necessary, leads to the first stop before
+    // that.
     void go_along(const std::vector<Stop>& stops, bool by_hand, double now_s);
     void go_to_room(std::uint32_t room, double now_s);
-    // Follows the route from the walker to a place. If `by_room` is true, the goal is the room around the place;
-    // otherwise it is a thing with this name. Returns false if no route leads there.
+    // Follows the route from the walker to `goal_m`. If `by_room` is true, the goal is the room around that place.
+    // Otherwise it is a thing with this name. Returns false if no route leads there.
     bool follow_to(const Vec3& goal_m, const std::string& name, bool by_room, double now_s);
-    // True while legs that the person requested are still being planned. A later tick announces them.
+    // Returns true while legs that the person requested are still being planned. A later tick announces them.
     bool plans_legs() const { return ear_.plans_legs(); }
-    // True while the legs to the end of the route are still being planned.
+    // Returns true while the legs to the end of the route are still being planned.
     bool plans_rest() const { return ear_.plans_rest(); }
-    // Returns the legs that the command RestOfWay announces, one text each, and ends the guidance. Empty: there is no
-    // route.
+    // Returns the legs that the command RestOfWay announces, one text each, and ends the guidance. The list is empty if
+    // there is no route.
     std::vector<std::string> take_legs();
-    // True if there is a room with this name that the person can choose as a goal.
+    // Returns true if there is a room with this name that the person can choose as a goal.
     bool leads_to(std::string_view typed) const;
-    // Opens the list of the ways to find this thing.
+    // Opens the list of the tools to find this thing.
     void open_tools(const Goal& goal, double now_s);
     void take_me(double now_s);
     void mute_beacon(double now_s);
     // Switches the beacon on at this goal, without an announcement.
     void call_from(const Goal& goal);
     void silence_beacon() { seek_.silence_beacon(); }
-    // Returns the amount of guidance, 0 to 1. change_help() increases it with 1 and decreases it with -1.
+    // Returns the amount of guidance, 0 to 1. change_help(1) increases it, and change_help(-1) decreases it.
     double help() const { return help_limit_.value_or(laps_.strength()); }
-    // Sets the amount of guidance for a lesson, 0 to 1. No value: the laps determine it.
+    // Sets the amount of guidance for a lesson, 0 to 1. If `help` has no value, the laps determine the amount.
     void limit_help(std::optional<double> help) {
         contract_pre(!help || (*help >= 0.0 && *help <= 1.0));
         help_limit_ = help;
     }
-    // True if the hand is guided or will soon be. It may then be ahead of the walker.
+    // Returns true if the hand is guided or will soon be. The hand may then be ahead of the walker.
     bool leads_hand() const { return hand_.at_work() || hand_.lines_at_work(); }
     bool may_lead_hand() const { return hand_.may_lead() && hand_.force_may_act(); }
-    // True while the hand is guided, a route is followed by ear, or the beacon is on.
+    // Returns true while the hand is guided, a route is followed by ear, or the beacon is on.
     bool leads() const { return ear_.following() || hand_.at_work() || beacon().on(); }
     // Ends all guidance silently.
     void leave_way();
     void change_help(int by) { laps_.change(by); }
     // Ends the guidance of the hand. Call it when another device is used.
     void let_go() { hand_.end(); }
-    // Called by the workspace; see HandLead.
+    // The workspace calls these functions. HandLead explains them.
     Vec3 carry() { return hand_.carry(); }
     bool take_carried() { return hand_.take_carried(); }
     void person_moved(double now_s) { hand_.person_moved(now_s); }
 
-    // See BlindGround::line_up_m. No value if the routes of the world are not known.
+    // Returns the value of BlindGround::line_up_m, or no value if the routes of the world are not known.
     std::optional<double> line_up_m(const Vec3& feet_m, double heading_rad) {
         return ground_.line_up_m(feet_m, heading_rad);
     }
     void note_stop(FeatureId by) { ear_.note_stop(by); }
     std::optional<navigation::RoutePassage> climb_here() const { return ear_.climb_here(); }
-    // Set by the session. The first turns the walker. The second explains why a room cannot be reached.
+    // The session sets these functions. `on_face` turns the walker. The other one explains why a room cannot be
+    // reached.
     std::function<void(double heading_rad, double now_s)> on_face;
     std::function<void(std::uint32_t room, double now_s)> on_no_way;
 
-    const std::optional<Goal>& goal() const { return goal_; }  // goal of the command TakeMe
+    const std::optional<Goal>& goal() const { return goal_; }  // returns the goal of the command TakeMe
     const Beacon& beacon() const { return seek_.beacon(); }
     const Seek& seek() const { return seek_; }
     const PlannedStops& planned() const { return planned_; }
-    const std::vector<Vec3>& way_m() const { return plans_.last_m(); }  // the last planned route, at floor level
-    const servo::GuidancePath& path() const { return hand_.path(); }    // the path that the servo of the right hand has
+    // Returns the last planned route, at floor level.
+    const std::vector<Vec3>& way_m() const { return plans_.last_m(); }
+    // Returns the path that the servo of the right hand has.
+    const servo::GuidancePath& path() const { return hand_.path(); }
 
 private:
     void list_routes(double now_s);

@@ -13,11 +13,11 @@ namespace handrail::core {
 namespace {
 
 constexpr double kAnnounced_s = 1.0;  // time from the announcement to the first force
-// Distance from the path at which the hand has strayed, which counts as an error.
+// At this distance from the path, the hand has strayed. Each time it strays is one error.
 constexpr double kStray_hand_m = 0.008;
-constexpr double kLeft_hand_m = 0.020;  // distance from the path at which an unguided hand counts as off the path
+constexpr double kLeft_hand_m = 0.020;  // at this distance, an unguided hand is off the path
 constexpr double kLeft_s = 1.0;         // the hand has left the path once it has been kLeft_hand_m away for this long
-// If the person walked or moved the workspace within this time, the hand does not count as pulled away.
+// If the person walked or moved the workspace within this time, the hand was not pulled away by the person.
 constexpr double kMovedLately_s = 0.5;
 constexpr double kRests_s = 0.3;  // after this time at rest, a new path is planned
 // If a path leads out of reach, the workspace moves along it. kCarryFrom and kCarryTo are the shares of the reach at
@@ -105,7 +105,7 @@ void HandLead::end() {
 }
 
 void HandLead::announce(servo::GuidancePath path, std::string words, double now_s) {
-    end();  // only one kind of guidance acts at a time
+    end();  // Only one kind of guidance acts at a time, so the previous one ends.
     path.number = ++last_number_;
     led_.announced = path;
     led_.starts_s = now_s + kAnnounced_s;
@@ -132,7 +132,7 @@ void HandLead::go_on_along(servo::GuidancePath path) {
     publish(path);
 }
 
-// True once the hand touches any part of the goal.
+// Returns true once the hand touches any part of the goal.
 bool HandLead::hand_at(const std::optional<Goal>& goal) const {
     if (!goal || !goal->feature) return false;
     const auto contacts = contacts_of(context_.hands.tool);
@@ -149,7 +149,7 @@ bool HandLead::wants_new_way(const std::optional<Goal>& goal, double now_s) {
     const servo::ToolState& tool = context_.hands.tool;
     const Vec3& feet_m = context_.body.feet_m();
     if (tool.workspace_motion == servo::WorkspaceMotion::Grabbed || feet_m != led_.feet_before_m) led_.moved_s = now_s;
-    // A moving door leaf may push the hand, which then does not count as pulled away.
+    // If a moving door leaf pushes the hand, the person has not pulled the hand away.
     const auto contacts = contacts_of(tool);
     if (context_.world.movers.any_moving() &&
         std::any_of(contacts.begin(), contacts.end(),
@@ -170,7 +170,8 @@ std::optional<HandLead::Arrival> HandLead::tick(const std::optional<Goal>& goal,
     if (led_.announced && now_s >= led_.starts_s) {
         led_.path = *led_.announced;
         if (led_.path.kind == servo::GuidanceKind::Pull)
-            led_.path.points_m[0] = finding_place_m(context_);  // the hand may have moved since the announcement
+            // The hand may have moved since the announcement, so the path begins at its present place.
+            led_.path.points_m[0] = finding_place_m(context_);
         led_.announced.reset();
         led_.acts = true;
         led_.lines_laid_s = now_s;
@@ -181,7 +182,8 @@ std::optional<HandLead::Arrival> HandLead::tick(const std::optional<Goal>& goal,
     if (plans_.by_hand()) plans_.pass(finding_place_m(context_));
     const servo::ToolState& tool = context_.hands.tool;
     const servo::GuidanceState felt = tool.guidance;
-    if (felt.number != led_.path.number) return std::nullopt;  // the servo has not yet received this path
+    // The servo has not received this path yet, so its report is about an older path.
+    if (felt.number != led_.path.number) return std::nullopt;
     const bool pull = led_.path.kind == servo::GuidanceKind::Pull, acts = felt.phase == servo::GuidancePhase::Acts;
     bool arrived = felt.phase == servo::GuidancePhase::Arrived;
     if (led_.path.kind == servo::GuidanceKind::CrossLines && acts) return std::nullopt;
@@ -248,7 +250,7 @@ void HandLead::watch_way(const std::optional<Goal>& goal, double now_s) {
     led_.left = true;
 }
 
-// Keeps the lines in place until the hand has left them or something has moved.
+// Leaves the lines in place until the hand has left them or something has moved.
 void HandLead::watch_lines(const std::optional<Goal>& goal, double now_s) {
     doors_.tell_touched(now_s);
     const servo::ToolState& tool = context_.hands.tool;
@@ -282,7 +284,7 @@ Vec3 HandLead::carry() {
     const HandsState& hands = context_.hands;
     const servo::ToolState& tool = hands.tool;
     const auto way = points_of(led_.path);
-    // With lines, the workspace moves only while the hand is on the lines and leans along them.
+    // If the guidance consists of lines, the workspace moves only while the hand is on the lines and leans along them.
     const bool lines = led_.path.kind == servo::GuidanceKind::WayLines;
     const bool led = led_.acts && (lines || led_.path.kind == servo::GuidanceKind::Pull) && led_.path.strength > 0.0 &&
                      tool.guidance.number == led_.path.number && tool.guidance.phase == servo::GuidancePhase::Acts &&

@@ -10,11 +10,12 @@ namespace handrail::core {
 namespace {
 
 constexpr double kBeside_m = 0.4;    // distance from the side of a thing to a person who stands in front of it
-constexpr double kOnePlace_m = 0.3;  // standing places with a smaller distance count as one
-constexpr double kReach_height_m[] = {1.0, 1.5, 0.5};  // heights of the hand from which the thing may be in reach
+constexpr double kOnePlace_m = 0.3;  // two standing places nearer to each other than this are one place
+// Heights of the hand above the floor at which a path to the thing is searched for.
+constexpr double kReach_height_m[] = {1.0, 1.5, 0.5};
 constexpr double kBefore_m = 0.3;  // distance from the face of a thing to the point where the hand turns towards it
-// The target point is this far inside the thing. The faces of the thing may be covered by what it stands on or hangs
-// at.
+// The target point is this far inside the thing, because the faces of the thing may be covered by what it stands on or
+// hangs at.
 constexpr double kInside_m = 0.05;
 // Distance that the hand keeps from the leaf of an open door when it goes round the leaf.
 constexpr double kBallRoom_m = 0.3;
@@ -23,8 +24,9 @@ constexpr WalkerShape kBall{0.13, 0.26};  // shape of a proxy of 4 mm at scale 6
 
 Vec3 nearest_in(const Aabb& box, const Vec3& to_m) { return glm::clamp(to_m, box.min_m, box.max_m); }
 
-// Returns the last points of a hand's path: straight to the thing, or via a point in front of a side or above. Prefers
-// a path that is free for a proxy to one that is free only for a line. Empty if there is neither.
+// Returns the last points of a hand's path: straight to the thing, or via a point in front of a side or above. A path
+// that is free for a proxy is preferred to a path that is free only for a line. The result is empty if there is no such
+// path.
 std::vector<Vec3> last_points(const WalkerWorld& world, const Vec3& from_m, const Aabb& thing_m, FeatureId thing) {
     const Vec3 centre = thing_m.centre_m(), half = 0.5 * thing_m.size_m() + Vec3(kBefore_m);
     std::vector<std::vector<Vec3>> ways{{place_on(thing_m, from_m)}};
@@ -50,8 +52,8 @@ bool within_reach(const WalkerWorld& world, const Vec3& stand_m, const Aabb& thi
 }
 
 // Returns a path round the end of a door leaf. A route leads round the leaves of open doors if that is not far, or else
-// through a leaf. A leaf that a walker would pass may also stop or catch the hand. The path is free for a proxy. If
-// even the straight line is blocked, a path that is free for a line is enough.
+// through a leaf. A leaf that a walker would pass may also stop or catch the hand. The returned path is free for a
+// proxy. If even the straight line is blocked, a path that is free for a line is accepted.
 std::vector<Vec3> round_leaves(const WalkerWorld& world, const Vec3& from_m, const Vec3& to_m) {
     const Vec3 half(0.0, 0.0, 0.5 * kBall.height_m);
     const auto door = [&](FeatureId feature) {
@@ -72,8 +74,8 @@ std::vector<Vec3> round_leaves(const WalkerWorld& world, const Vec3& from_m, con
         }
     if (!leaf) return {};
     const Aabb& stands = leaf->bounds_m;
-    // Candidate points are next to the corners of the leaf. Others are next to the place where the line met the leaf,
-    // because the bounds of the leaf may include the frame.
+    // Candidate points are next to the corners of the leaf. Further candidates are next to the point where the line met
+    // the leaf, because the bounds of the leaf may include the frame.
     std::vector<Vec3> beside;
     for (int i = 0; i < 4; ++i)
         beside.emplace_back((i & 1) ? stands.max_m.x + kBallRoom_m : stands.min_m.x - kBallRoom_m,
@@ -173,7 +175,7 @@ std::vector<Vec3> hand_way(const navigation::Route& route, const Vec3& hand_m, d
         points.push_back(next);
     }
     if (route.reaches) {
-        // If the thing cannot be reached at that height, a higher or lower point is tried.
+        // If the hand cannot reach the thing at that height, higher and lower points are tried.
         std::vector<Vec3> last = last_points(world, points.back(), thing_m, thing);
         for (const double other_m : kReach_height_m) {
             if (!last.empty()) break;

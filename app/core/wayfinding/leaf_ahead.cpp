@@ -12,7 +12,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kBeyondEnd_m = 0.1;        // distance beyond the end of a stretch within which a leaf counts
+constexpr double kBeyondEnd_m = 0.1;        // a leaf this far beyond the end of a stretch still blocks the stretch
 constexpr double kLeastStretch_m = 1e-3;    // a shorter stretch has no direction
 constexpr double kShutLeafWithin_m = 0.25;  // a path this near to the place of the shut leaf leads through the door
 constexpr double kLeafLookEvery_m = 0.1;
@@ -20,7 +20,7 @@ constexpr double kLeafLookEvery_m = 0.1;
 // leaf, otherwise its edge.
 constexpr double kSquarely = 0.7;
 
-// True if the path comes near to where the leaf is when it is shut.
+// Returns true if the path comes near to where the leaf is when the door is shut.
 bool leads_through_door(const Aabb& shut_m, std::span<const Vec3> path_m) {
     for (std::size_t leg = 1; leg < path_m.size(); ++leg) {
         const Vec3 way = path_m[leg] - path_m[leg - 1];
@@ -35,7 +35,7 @@ bool leads_through_door(const Aabb& shut_m, std::span<const Vec3> path_m) {
     return false;
 }
 
-// True if a walker on the stretch meets the face of a hinged leaf in its present position, not its edge.
+// Returns true if a walker on the stretch meets the face of a hinged leaf in its present position, not its edge.
 bool meets_face(const WorldState& world, std::uint32_t mover, const Aabb& leaf_m, const Vec3& way) {
     if (world.scene->movers[mover].swing_rad == 0.0) return false;
     const PlacedFrame frame(world.movers.at(mover));

@@ -1,5 +1,6 @@
 // Finds an open door leaf across a path. The person must shut the door before they can continue. Functions of the
-// context; app thread. Cost: one trace of the walker's shape for each stretch of the path. World metres.
+// context, for the app thread. Each stretch of the path costs one trace of the walker's shape. Lengths are in world
+// metres.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +15,10 @@
 namespace handrail::core {
 
 // Returns the door whose leaf blocks a walker on the straight stretches of the path, as an index in Scene::movers. The
-// path is at floor level. No value if there is no such leaf or a person does not shut that door by hand. Also no value
-// if the path leads through that door and reaches the doorway before the face of the leaf.
+// path is at floor level. Returns no value if there is no such leaf or a person does not shut that door by hand. Also
+// returns no value if the path leads through that door and reaches the doorway before the face of the leaf.
 std::optional<std::uint32_t> leaf_across(const WorldState& world, const WalkerSize& size, std::span<const Vec3> path_m);
-// Returns the name of that door, or an empty text.
+// Returns the name of the door that leaf_across() finds for the walker, or an empty text.
 std::string leaf_ahead(const SessionContext& context, std::span<const Vec3> path_m);
 
 }  // namespace handrail::core

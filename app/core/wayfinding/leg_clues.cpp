@@ -13,8 +13,8 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kPassedWithin_m = 1.6;  // largest distance from the walker's centre to a door that counts as passed
-constexpr double kEnds_m = 0.4;          // length at either end of a leg in which no door counts as passed
+constexpr double kPassedWithin_m = 1.6;  // largest distance from the walker's centre at which the walker passes a door
+constexpr double kEnds_m = 0.4;  // doors within this distance of either end of a leg are not announced as passed
 constexpr int kMostPassed = 4;
 constexpr double kLandmark_m = 1.5;    // largest distance from the end of the leg to a landmark
 constexpr double kWallBeside_m = 0.9;  // largest distance from the walker's centre to a wall, about an arm's length

@@ -1,6 +1,7 @@
-// Clues for a person with a cane who walks a leg by counting steps: they show that the leg is right and where it ends.
-// They are used if they are more reliable than counting: doors that are passed, a change of the floor, a landmark at
-// the end, or a wall to trail. Functions of the context; some rays for each step; app thread. World metres.
+// Finds clues for a person with a cane who walks a leg by counting steps. A clue shows that the leg is right and where
+// it ends: doors that are passed, a change of the floor, a landmark at the end, or a wall to trail. It is announced if
+// it is more reliable than counting. Functions of the context for the app thread. Each step of the leg costs some rays.
+// Lengths are in world metres.
 #pragma once
 
 #include <string>

@@ -17,11 +17,11 @@ namespace {
 
 constexpr double kFarthest_m = 40.0;  // greatest length of a leg that ends at an obstacle
 constexpr double kMeets_m = 0.6;      // how far beyond the walker's stop the obstacle is searched for
-constexpr double kFine_m = 0.05;      // spacing of the floor samples for risers
+constexpr double kFine_m = 0.05;      // spacing of the points at which the floor is examined for risers
 constexpr double kPathEvery_m = 0.4;  // spacing of the path points at which door leaves are searched for
 constexpr double kAhead_m = 0.01;
 constexpr double kRiser_m = 0.06;
-constexpr double kLeft_part = 0.5;  // share of a step; less than this counts as nothing left
+constexpr double kLeft_part = 0.5;  // share of a step; if less than this remains, the leg is over
 
 std::string notch_words(int notches) {
     constexpr std::array kFromLeft{"route.turn_round",          "leg.turn_7_left",          "route.turn_sharp_left",
@@ -35,7 +35,7 @@ std::string notch_words(int notches) {
 
 Vec2 level(const Vec3& way) { return {way.x, way.y}; }
 
-// Returns the distance from one place to the other in the direction of the leg.
+// Returns the distance from `from_m` to `to_m` in the direction of the leg.
 double along_m(int notch, const Vec3& from_m, const Vec3& to_m) {
     const Vec3 ahead = forward_of_heading(navigation::notch_heading_rad(notch));
     return glm::dot(level(to_m - from_m), level(ahead));
@@ -126,8 +126,7 @@ std::string leg_words(const SpokenLeg& leg, const DistanceWords& how) {
         const std::string flight = phrase(leg.up ? "leg.stairs_up" : "leg.stairs_down", {{"risers", leg.risers}});
         text += " " + phrase("leg.over_flight", {{"flight", flight}, {"steps", leg.to_stairs}});
     }
-    // Only one instruction is given at a time, because the person cannot reach the door before the leaf is out of the
-    // way.
+    // Only one instruction is given at a time. While the leaf is in the way, the person cannot reach the door.
     if (!leg.leaf.empty()) text += " " + capitalised(phrase("leg.leaf_in_way", {{"door", leg.leaf}}));
     else if (leg.open) text += " " + phrase("leg.open_it");
     else if (leg.by_itself) text += " " + phrase("leg.opens_by_itself");

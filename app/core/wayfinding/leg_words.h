@@ -1,6 +1,7 @@
-// A leg of a route as a sentence: first what to do, then how far, then the end of the leg and its state. "Turn left. 4
-// steps, until you meet Living room door, shut. Open it." This is all that a person needs to follow the leg; the user
-// guide explains it. Functions of the context; app thread. World metres.
+// Puts a leg of a route into a sentence: first what to do, then how far, then the end of the leg and the state of what
+// is there. "Turn left. 4 steps, until you meet Living room door, shut. Open it." This is all that a person needs to
+// follow the leg. The user guide explains the sentence. Functions of the context for the app thread. Lengths are in
+// world metres.
 #pragma once
 
 #include <string>
@@ -14,14 +15,14 @@ struct SpokenLeg {
     int turn_notches = 0;  // notches to turn clockwise, -7 to 8
     int steps = 0;         // for a flight of stairs: steps to its beginning; 0: it begins at once
     navigation::PaceEnd end = navigation::PaceEnd::Steps;
-    std::string to;          // what the person meets or reaches, with its state; may be empty if steps are counted
-    int risers = 0;          // risers of the flight; 0: a ramp, or no flight
-    bool up = false;         // true: the flight leads up
-    int to_stairs = 0;       // steps to a flight that the leg crosses without ending there
-    bool open = false;       // true: there is a door that the person must open
+    std::string to;     // what the person meets or reaches, with its state; may be empty if the person counts steps
+    int risers = 0;     // risers of the flight; 0: a ramp, or no flight
+    bool up = false;    // true: the flight leads up
+    int to_stairs = 0;  // steps to a flight of stairs that the leg crosses without ending there; 0: none
+    bool open = false;  // true: there is a door that the person must open
     bool by_itself = false;  // true: there is a door that opens automatically
     std::string leaf;        // the door whose open leaf blocks the leg and must be shut; empty: none
-    std::string clue;        // a sentence with a further sign that the leg is right; may be empty
+    std::string clue;        // a sentence with a clue that the leg is right; may be empty
 };
 std::string leg_words(const SpokenLeg& leg, const DistanceWords& how);
 
@@ -37,7 +38,7 @@ struct LegAt {
 };
 SpokenLeg spoken_leg(const SessionContext& context, const DirectionsFloor& floor, const LegAt& at,
                      const navigation::DoorsOpen& open);
-// True if nothing of the leg remains to be walked from the present place.
+// Returns true if nothing of the leg remains to be walked from the present place.
 bool leg_is_over(const DirectionsFloor& floor, const LegAt& at, const navigation::DoorsOpen& open);
 
 }  // namespace handrail::core

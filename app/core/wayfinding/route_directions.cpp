@@ -12,7 +12,8 @@
 namespace handrail::core {
 namespace {
 
-// A walker that is farther from the legs than this has left the route. It is twice the deviation that a plan permits.
+// A walker that is farther from the legs than this has left the route. The distance is twice the deviation that a plan
+// permits.
 constexpr double kLeft_m = 3.5;
 constexpr double kLooked_m = 0.05;
 // Trial walks with errors decide whether a route is still valid from the present place. The share of those that arrive
@@ -81,7 +82,7 @@ void RouteDirections::plan(bool in_parts) {
     });
 }
 
-// Plans the remaining legs while the person walks the first ones.
+// Begins to plan the remaining legs while the person walks the first ones.
 void RouteDirections::plan_rest() {
     planning_.begin([planned = way_](const std::stop_token& stop) {
         Planned made = planned;
@@ -99,7 +100,7 @@ void RouteDirections::take(Planned planned) {
     if (state_ == State::Known && !way_.route->whole) plan_rest();
 }
 
-// Takes over the remaining legs. Returns true if the person has requested them. If the first legs have no continuation,
+// Stores the remaining legs. Returns true if the person has requested them. If the first legs have no continuation,
 // plans the route again from the walker's place.
 bool RouteDirections::take_rest(Planned planned) {
     if (!planned.route || planned.route->legs.size() <= way_.route->legs.size()) {
@@ -138,8 +139,8 @@ RouteDirections::News RouteDirections::tick() {
     return news;
 }
 
-// True if the walker is inside the stated outline of the room. A place that counts as the goal may be as wide as a
-// step, so that half of it is outside the room.
+// Returns true if the walker is inside the stated outline of the room. A cell of the goal may be as wide as a step, so
+// that half of the cell is outside the room.
 bool RouteDirections::in_outline(const Vec3& feet_m) const {
     const StatedRoom* const outline =
         navigation::stated_room_at(*rooms_.file_scene(), rooms_.graph().rooms[room_].middle_m);
@@ -159,13 +160,13 @@ LegAt RouteDirections::leg_at(std::size_t which) const {
     return at;
 }
 
-// True if the remaining legs still lead to the goal from here, even in trial walks with errors. If only the first legs
-// are planned, that is unknown and the result is true.
+// Returns true if the remaining legs still lead to the goal from here, even in trial walks with errors. If only the
+// first legs are planned, that is unknown and the result is true.
 bool RouteDirections::holds() const {
     if (!way_.route->whole) return true;
     const LegAt first = leg_at(at_);
-    // At the place where it was planned, the route is always valid, even if the person has already walked its first
-    // leg. A new plan from here would give the same route again and again.
+    // At the place where the route was planned, it is always valid, even if the person has already walked its first
+    // leg. A new plan from this place would give the same route again and again.
     if (glm::length(first.from_m - way_.from_m) < kUnmoved_m && way_.open == open_now()) return true;
     navigation::DirectionsRoute left;
     left.legs.assign(way_.route->legs.begin() + static_cast<std::ptrdiff_t>(at_), way_.route->legs.end());
@@ -186,7 +187,7 @@ std::string RouteDirections::tell() {
     const LegAt leg = leg_at(at_);
     SpokenLeg told = spoken_leg(context_, *way_.floor, leg, open_now());
     // The grid for planning is coarser than the walker. In a plan, the walker may slide past an obstacle that stops the
-    // real walker. The same leg would then be announced again and again.
+    // real walker. To prevent the same leg from being announced again and again, the spoken directions end here.
     if (stopped_on(leg) && told.leaf.empty() && !begin_with_door(told)) {
         stop();
         state_ = State::NoWay;
@@ -209,7 +210,8 @@ void RouteDirections::note_stop(FeatureId by) {
 // door has stopped it too often.
 bool RouteDirections::begin_with_door(SpokenLeg& leg) const {
     constexpr int kMostTimes = 4;
-    if (leg.open || leg.by_itself) return true;  // the leg already says so
+    // The leg already says that the door must be opened or opens automatically.
+    if (leg.open || leg.by_itself) return true;
     const int mover = stopped_->door ? mover_of(context_.world, stopped_->door) : -1;
     if (mover < 0 || stopped_->times > kMostTimes ||
         !context_.world.scene->movers[static_cast<std::size_t>(mover)].by_hand)

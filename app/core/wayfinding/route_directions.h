@@ -1,6 +1,7 @@
-// A route to a room that the person follows by spoken directions. A background task plans it, the first legs first. The
-// route is put into words leg by leg from the person's place. It is planned again if the remaining legs no longer lead
-// to the room. This class makes no announcements. App thread only; world metres.
+// Provides a route to a room that the person follows by spoken directions. A background task plans the route, the first
+// legs first. The class puts the route into words leg by leg from the person's place. It plans the route again if the
+// remaining legs no longer lead to the room. This class makes no announcements. Use it on the app thread only. Lengths
+// are in world metres.
 #pragma once
 
 #include <memory>
@@ -18,7 +19,8 @@ class RouteDirections : SessionPart {
 public:
     RouteDirections(const SessionContext& context, Rooms& rooms, DirectionsGround& ground);
 
-    // Begins a route from the walker's place, which replaces the previous route. `goal` is the name of its end.
+    // Begins a route from the walker's place, which replaces the previous route. `goal` is the name of the end of the
+    // route.
     void begin(std::uint32_t room, std::string goal);
     void stop();
 
@@ -29,31 +31,31 @@ public:
     enum class State : std::uint8_t { None, Planned, Known, NoWay };
     State state() const { return state_; }
     bool at_work() const { return state_ == State::Planned || state_ == State::Known; }
-    // True while legs that the person requested are being planned. News::planned reports when they are ready.
+    // Returns true while legs that the person requested are being planned. News::planned reports when they are ready.
     bool awaited() const {
         return state_ == State::Planned || (state_ == State::Known && awaited_ != Awaited::Nothing);
     }
-    // True if all legs of the route are known, or if there are none.
+    // Returns true if all legs of the route are known, or if there are none.
     bool whole() const { return state_ != State::Planned && (state_ != State::Known || way_.route->whole); }
 
     struct News {
         bool planned = false;  // true: what the person requested is ready, or does not exist
         bool arrived = false, left = false;
     };
-    // Updates the route. If the walker has moved, it costs one lookup in the grid.
+    // Updates the route. If the walker has moved, the call costs one lookup in the grid.
     News tick();
 
-    // These functions return legs as sentences. Empty: the route is being planned again, and tick() reports when it is
-    // ready; or there is no route. leg() returns the present leg from the present place, or the next leg if the present
-    // one is over.
+    // These functions return legs as sentences. A result is empty if there is no route. It is also empty while the
+    // route is being planned again, and tick() reports when that is done. leg() returns the present leg from the
+    // present place, or the next leg if the present one is over.
     std::string leg();
     // Returns the leg after the one announced last.
     std::string next_leg();
     // Returns all remaining legs in order.
     std::vector<std::string> rest();
     // Call it when the feature `by` has stopped the walker at its present place and heading. If a leg continues in that
-    // direction, it then begins with the door that stopped the walker. If a door was not the cause, there are no spoken
-    // directions any more.
+    // direction, that leg then begins with the door that stopped the walker. If the cause was not a door, the spoken
+    // directions end.
     void note_stop(FeatureId by);
     // Returns the direction of the leg announced last, or no value if none was announced.
     std::optional<double> heading_rad() const;

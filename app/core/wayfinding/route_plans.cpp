@@ -12,7 +12,7 @@ namespace handrail::core {
 namespace {
 
 constexpr double kPassed_m = 0.6;     // a guided hand has passed a stop within this distance
-constexpr double kPassedEar_m = 0.3;  // a stop counts as passed this far before it, measured along the route
+constexpr double kPassedEar_m = 0.3;  // the person has passed a stop this far before the stop, measured along the route
 // Limits of the height of a guided hand: above door sills and under lintels.
 constexpr double kLowest_m = 0.3, kHighest_m = 1.6;
 
@@ -25,8 +25,8 @@ void RoutePlans::enter_world() {
 
 void RoutePlans::begin(const std::vector<Stop>& stops, bool first_passed, bool by_hand) {
     contract_pre(!stops.empty());
-    // The last stop is never skipped, because there would be no goal left. Its arrival is announced as for every other
-    // stop.
+    // The last stop is never skipped, because there would be no goal left. So its arrival is announced, even if it has
+    // been passed.
     run_ = RouteRun{stops, first_passed && stops.size() > 1 ? 1U : 0U, by_hand, {}, 0};
 }
 

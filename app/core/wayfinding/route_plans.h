@@ -1,6 +1,6 @@
-// The present route, along the stops of a saved route or directly to one goal. This class plans how the route continues
-// from a place, for the walker and for a hand. It announces nothing. A plan takes milliseconds. World metres. App
-// thread only.
+// Plans the present route, along the stops of a saved route or directly to one goal. This class plans how the route
+// continues from a place, for the walker and for a hand. It announces nothing. A plan takes milliseconds. Lengths are
+// in world metres. Use it on the app thread only.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace handrail::core {
 
 // A path from the hand to a thing.
 struct HandRoute {
-    std::vector<Vec3> points_m;  // empty: `problem` says why
+    std::vector<Vec3> points_m;  // points of the path; empty: `problem` says why there is no path
     std::string problem;
     bool reaches = true;
     double short_of_m = 0.0;
@@ -30,27 +30,29 @@ public:
     void enter_world();
 
     // ---- following a saved route ----
-    // Begins the route; there must be at least one stop. If `first_passed` is true and there is a second stop, the
-    // route begins with that one.
+    // Begins the route, which must have at least one stop. If `first_passed` is true and there is a second stop, the
+    // route
+    // begins with the second stop.
     void begin(const std::vector<Stop>& stops, bool first_passed, bool by_hand);
     void end() { run_.reset(); }
     bool running() const { return run_.has_value(); }
     bool by_hand() const { return run_ && run_->by_hand; }
     void go_on_by_ear() { run_->by_hand = false; }
-    // The next stop whose arrival is announced. Valid only while a saved route is followed.
+    // Returns the next stop whose arrival is announced. Valid only while a saved route is followed.
     const Stop& stop() const { return run_->stops[run_->goal()]; }
     bool runs_to(const std::string& goal) const { return run_ && stop().name == goal; }
     // Returns the rest of the route from `from_m` to stop(), and follows it from now on.
     navigation::Route on(const Vec3& from_m);
-    // Returns the same route without following it.
+    // Returns the same route as on(), but does not follow it.
     navigation::Route looked_at(const Vec3& from_m) const {
         return plan_through(rooms_.navigation(), from_m, run_->places());
     }
-    // Mark the stops without a name that have been passed: by the place of the hand, or by the distance along the route
-    // of on().
+    // Mark the stops without a name that have been passed. They use the place of the hand, or the distance along the
+    // route that on() returned.
     void pass(const Vec3& hand_m);
     void pass(double along_m);
-    // Call it when stop() has been reached. Returns false if it was the last stop; the route has then ended.
+    // Continues with the next stop. Call it when stop() has been reached. Returns false if stop() was the last stop.
+    // The route has then ended.
     bool next();
 
     // ---- to a thing ----
@@ -59,7 +61,8 @@ public:
     HandRoute for_hand(const Goal& goal, std::size_t most_points);
     std::string why_none() const;
 
-    // Sets the last planned route, at floor level; empty: none. Another route increases changes().
+    // Sets the last planned route, at floor level. If `soles_m` is empty, there is none. Another route increases
+    // changes().
     void know(std::vector<Vec3> soles_m);
     const std::vector<Vec3>& last_m() const { return last_m_; }
     unsigned changes() const { return changes_; }

@@ -14,8 +14,8 @@ constexpr double kBesideFeature_m = 1.0;
 
 double bearing(const Vec3& from, const Vec3& to) { return std::atan2(to.x - from.x, to.y - from.y); }
 
-// Returns the size of a turn in words. In points of the 16-point compass, one is slight, two is half, four is plain,
-// six is sharp, and eight is round. Other values are rounded to the nearest of these.
+// Returns the size of a turn in words. On the 16-point compass, a turn by one point is slight, by two half, by four
+// plain, by six sharp, and by eight round. Other values are rounded to the nearest of these.
 std::string turn_words(double turn_rad) {
     const double points = std::abs(turn_rad) / kLeastTurn_rad;
     const bool right = turn_rad > 0.0;
@@ -60,7 +60,7 @@ std::string route_words(const navigation::Route& route, const std::vector<RouteN
                         const DistanceWords& how) {
     if (route.points_m.size() < 2 || nodes.empty()) return phrase("route.there");
     std::string text = capitalised(phrase("route.in_all", {{"distance", distance_words(route.length_m, how)}}));
-    // The order is: what to do, how far, and to what.
+    // The sentence says first what to do, then how far, and then to what.
     std::string turn = turn_words(wrap_angle(bearing(route.points_m[0], route.points_m[1]) - heading_rad));
     double before = 0.0;
     for (const RouteNode& node : nodes) {
@@ -79,7 +79,7 @@ void RouteFollower::follow(navigation::Route route, std::vector<RouteNode> nodes
     nodes_ = std::move(nodes);
     announced_.assign(nodes_.size(), false);
     reached_.assign(nodes_.size(), false);
-    // The announcement of the route has already mentioned what is just ahead.
+    // The announcement of the whole route has already mentioned what is just ahead.
     for (std::size_t i = 0; i < nodes_.size(); ++i) announced_[i] = nodes_[i].at_m < kAnnounceAhead_m;
     along_m_ = word_at_m_ = 0.0;
 }

@@ -1,5 +1,5 @@
-// Puts a route into words, and follows a person on it: announces what is ahead, and whether the person is still on the
-// route or has left it. Plain state and pure functions; app thread.
+// Puts a route into words, and follows a person on the route: announces what is ahead, and whether the person is still
+// on the route or has left it. Plain state and pure functions for the app thread.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +37,7 @@ std::string route_words(const navigation::Route& route, const std::vector<RouteN
 class RouteFollower {
 public:
     struct Said {
-        std::string text;  // text to announce; empty: nothing
+        std::string text;  // text to announce; may be empty
         bool left = false;
         bool arrived = false;
     };
@@ -47,10 +47,10 @@ public:
     const navigation::Route& route() const { return route_; }
     const Vec3& goal_m() const { return route_.points_m.back(); }
     double along_m() const { return along_m_; }  // distance of the person along the route
-    std::vector<Vec3> ahead_m() const;           // the rest of the route
+    std::vector<Vec3> ahead_m() const;           // returns the rest of the route
     double left_m() const { return std::max(0.0, route_.length_m - along_m_); }
-    // Decides whether the person has arrived. `at_end` is true if the end of the route is within kThere_m; a wall may
-    // still be in between.
+    // A function that decides whether the person has arrived. `at_end` is true if the end of the route is within
+    // kThere_m. A wall may still be in between.
     using There = std::function<bool(bool at_end)>;
     Said tick(
         const Vec3& feet_m, const DistanceWords& how, const There& there = [](bool at_end) { return at_end; });

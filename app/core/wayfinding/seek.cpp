@@ -15,16 +15,18 @@ namespace handrail::core {
 namespace {
 
 constexpr double kLookEvery_s = 0.1;  // interval between two checks for obstacles and shut doors along a route
-// Height above the floor, radius and height of the shape for checks ahead. They suit stairs, too.
+// Height above the floor, radius and height of the shape for checks ahead. The shape is so high above the floor that it
+// passes over stairs.
 constexpr double kOverSteps_m = 0.35, kNarrow_m = 0.2, kNarrowHeight_m = 1.2;
 constexpr double kBackOnWay_m = 1.0;  // how far ahead along the route a person who is off the route is led
-// A thing guides directly if the route to it is at most kHardlyLonger times the straight line plus kAllowance_m.
+// A tool guides straight to the thing if the route is at most kHardlyLonger times the straight line plus kAllowance_m.
 constexpr double kHardlyLonger = 1.25, kAllowance_m = 1.0;
 // Distance along the route within which a shut door is announced, about an arm's length.
 constexpr double kDoorAhead_m = 1.0;
-constexpr double kPast = 0.1;   // a change of the distance by less than this share counts as neither nearer nor farther
-constexpr double kPitch = 0.5;  // rise of the pitch on a straight approach: half, which is a musical fifth
-// World metres of the walker's distance that count as one hand metre, as at the scale of a room.
+// If the hand moves away by more than this share of its movement, the sound for moving away is played.
+constexpr double kPast = 0.1;
+constexpr double kPitch = 0.5;  // rise of the pitch if the hand approaches straight: half, which is a musical fifth
+// World metres of the walker's distance that correspond to one hand metre, as at the scale of a room.
 constexpr double kBody_m_per_hand_m = 60.0;
 
 std::string along_way_words(const SoughtRoute& way, const DistanceWords& how) {
@@ -52,8 +54,8 @@ void Seek::start_warmer(const Goal& goal) {
     doors_.forget_told();
 }
 
-// Plans the route from the present place. A later plan reuses the same place next to the thing, which saves the search
-// for one.
+// Plans the route from the present place. A later plan uses the same place next to the thing, so that the place need
+// not be searched for again.
 void Seek::plan(AlongRoute& along, const Sought& sought, bool hand, double now_s) {
     SoughtRoute& way = along.way;
     along.planned_in = context_.world.scene;
@@ -75,8 +77,8 @@ void Seek::plan(AlongRoute& along, const Sought& sought, bool hand, double now_s
              now_s);
 }
 
-// Follows the route, and plans it again if necessary. Returns true if the route is known and the person wants to use
-// it.
+// Follows the route of a tool, and plans it again if necessary. Returns true if the route is known and the person wants
+// to use it.
 bool Seek::keep(AlongRoute& along, const Sought& sought, bool hand, double now_s) {
     if (!context_.settings.guidance.along_way) return false;
     SoughtRoute& way = along.way;
@@ -94,8 +96,8 @@ Vec3 Seek::from_m(bool hand) const {
     return hand ? finding_place_m(context_) : context_.body.feet_m() + Vec3(0.0, 0.0, kWaist_m);
 }
 
-// True if nothing is between the person and the thing, and the route is hardly longer than the straight line. So a
-// thing on the storey above that is visible over the banister does not count.
+// Returns true if nothing is between the person and the thing, and the route is hardly longer than the straight line.
+// So the result is false for a thing on the storey above that is visible over the banister.
 bool Seek::straight_before(const SoughtRoute& way, const Sought& sought, bool hand) const {
     const Vec3 from = from_m(hand), place = place_on(sought.thing_m(), from);
     return way.left_m() <= kHardlyLonger * glm::length(place - from) + kAllowance_m &&
@@ -109,8 +111,8 @@ TraceHit Seek::met_on_way(const Vec3& soles_m) const {
                                         WalkerShape{kNarrow_m, kNarrowHeight_m});
 }
 
-// True if a person who walks straight to the middle of the thing reaches it. False if the person would hit the side of
-// a doorway through which the thing is visible.
+// Returns true if a person who walks straight to the middle of the thing reaches it. Returns false if the person would
+// hit the side of a doorway through which the thing is visible.
 bool Seek::body_gets_to(const Sought& sought) const {
     const Vec3 middle = sought.thing_m().centre_m();
     const TraceHit met = met_on_way({middle.x, middle.y, context_.body.feet_m().z});
@@ -142,8 +144,8 @@ void Seek::tell_anew(double now_s) {
 
 // ---- every tick ----
 
-// Returns the place from which the beacon sounds while the person must go there first. No value: the beacon sounds from
-// the thing.
+// Returns the place from which the beacon sounds while the person must go there first. If the beacon sounds from the
+// thing, returns no value.
 std::optional<Vec3> Seek::beacon_turning(double now_s) {
     AlongRoute& along = beacon_along_;
     const bool tried = along.way.tried();

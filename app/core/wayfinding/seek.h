@@ -1,5 +1,5 @@
-// Finding a thing by two tools: the beacon that sounds from the thing, and "warmer". Each works along a planned route
-// if one is known. World metres. App thread only.
+// Lets a person find a thing by two tools: the beacon that sounds from the thing, and "warmer". Each tool guides along
+// a planned route if there is one. Lengths are in world metres. Use it on the app thread only.
 #pragma once
 
 #include <memory>
@@ -33,15 +33,16 @@ public:
     void start_warmer(const Goal& goal);
     void silence_beacon() { beacon_.clear(); }
     void silence_warmer() { warmer_.clear(); }
-    // These return whether the tool guides along the route or straight, and why. Empty if the route is straight.
+    // These functions return a sentence that says whether the tool guides along the route or straight, and why. The
+    // sentence is empty if the route is straight.
     std::string beacon_words(double now_s) { return words(beacon_along_, beacon_, false, now_s); }
     std::string warmer_words(double now_s) { return words(warmer_along_, warmer_, context_.hands.known(), now_s); }
 
-    // Each plays the sound of its tool when it is due, while the tool is on. The tools end automatically. tick_beacon()
-    // returns true if the person has just reached the beacon.
+    // Each function plays the sound of its tool when it is due, while the tool is on. A tool ends automatically when
+    // the thing is found. tick_beacon() returns true if the person has just reached the beacon.
     bool tick_beacon(double now_s);
     void tick_warmer(double now_s);
-    // Announces again how both tools lead now, because a line about that was cut off.
+    // Announces again how both tools guide now, because a line about that was cut off.
     void tell_anew(double now_s);
 
     const Beacon& beacon() const { return beacon_; }
@@ -67,9 +68,9 @@ private:
     Warmer warmer_;
     // Routes of the beacon, for the walker, and of "warmer", for the hand if there is one.
     AlongRoute beacon_along_, warmer_along_;
-    // For a route on which the beacon leads the walker:
+    // These fields are for a route on which the beacon leads the walker.
     bool turning_first_ = false;  // true: the beacon sounds from a turning of the route
-    Vec3 turning_m_{0.0};         // that turning, at floor level
+    Vec3 turning_m_{0.0};         // place of that turning, at floor level
 };
 
 }  // namespace handrail::core

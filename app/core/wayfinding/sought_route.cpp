@@ -8,7 +8,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kJump_m = 2.0;  // a larger movement in one update means that the person was placed elsewhere
+constexpr double kJump_m = 2.0;  // if the person moves further than this in one update, they were placed elsewhere
 
 double turn_between(const Vec3& before, const Vec3& after) {
     const double lengths = glm::length(before) * glm::length(after);
@@ -61,8 +61,8 @@ void SoughtRoute::follow(const Vec3& at_m, double height_counts, const std::func
     along_m_ = place.along_m;
     off_m_ = place.distance_m;
     at_m_ = at_m;
-    // The correction shrinks no faster than the person moves. So a person who approaches never hears that the distance
-    // grows.
+    // The correction shrinks no faster than the person moves. So a person who approaches the thing never hears that the
+    // distance grows.
     if (went_m > kJump_m) eased_m_ = 0.0;
     else eased_m_ = std::copysign(std::max(0.0, std::abs(eased_m_) - kEasing * went_m), eased_m_);
 }

@@ -1,9 +1,9 @@
-// The planned route of a person who searches for a thing by ear. It tells how far the thing still is, where the next
-// turning is, and when the route must be planned again. So the tools respect walls, doors and storeys. Plain state and
-// pure functions; app thread.
-// Cost: one update takes some 20 flops for each leg and one trace through the world, under half a microsecond in our
-// house. A plan takes up to 5 ms there (seeking_cost). There is one plan for each request. Further plans follow only
-// after the person has left the route or the world has changed, and at most once a second.
+// Follows the planned route of a person who searches for a thing by ear. The class computes how far the thing still is,
+// where the next turning is, and when the route must be planned again. So the tools respect walls, doors and storeys.
+// Plain state and pure functions for the app thread. One update costs some 20 flops for each leg and one trace through
+// the world, under half a microsecond in our house. A plan takes up to 5 ms there (seeking_cost). There is one plan for
+// each request. Further plans follow only after the person has left the route or the world has changed, and at most
+// once a second.
 #pragma once
 
 #include <functional>
@@ -17,13 +17,13 @@ namespace handrail::core {
 
 class SoughtRoute {
 public:
-    static constexpr double kPassed_m = 0.4;  // within this distance of a turning, the next turning counts
-    // Distance from the route at which it is planned again if the route is out of sight.
+    static constexpr double kPassed_m = 0.4;  // a turning nearer than this has been reached, and the next one follows
+    // If the route is out of sight, it is planned again at this distance from it.
     static constexpr double kLeft_m = 1.2;
-    // Distance from the route at which it is planned again if the route is in sight.
+    // If the route is in sight, it is planned again at this distance from it.
     static constexpr double kFar_m = 3.0;
     static constexpr double kAgain_s = 1.0;  // least time between two plans
-    // While the person moves, the reported distance approaches the distance of a new route by this share of the
+    // While the person moves, the reported distance approaches the distance along a new route by this share of the
     // movement.
     static constexpr double kEasing = 0.5;
     static constexpr double kValley_m = 0.6, kSlope = 0.7;
@@ -31,27 +31,27 @@ public:
 
     // Forgets everything. Call it for another request.
     void clear() { *this = {}; }
-    // Sets a route for a person at `at_m`; the reported distance stays continuous. `tail_m` is the distance from the
-    // end of the route to the thing. `passages` are the doors and stairs of the route, which count as turnings. One
-    // point or none means that there is no route.
+    // Sets a route for a person at `at_m`. The reported distance stays continuous. `tail_m` is the distance from the
+    // end of the route to the thing. `passages` are the doors and stairs of the route, which are turnings too. If
+    // `points_m` has at most one point, there is no route.
     void plan(std::vector<Vec3> points_m, const std::vector<navigation::RoutePassage>& passages, double tail_m,
               const Vec3& at_m, double now_s);
     // Call it if planning found no route, or if the person is straight in front of the thing.
     void no_way(double now_s);
     bool known() const { return points_m_.size() >= 2; }
     bool tried() const { return tried_; }
-    // True if no route has been planned for this request or the person has left it, and the last attempt is not too
-    // recent. `changed`: something in the world has moved.
+    // Returns true if no route has been planned for this request or the person has left it, and the last attempt is not
+    // too recent. `changed` is true if something in the world has moved.
     bool wants_plan(bool changed, double now_s) const;
 
-    // Updates the position of the person. `height_counts` and `sees` are as in near_on_way. A jump does not count as a
+    // Updates the position of the person. near_on_way() explains `height_counts` and `sees`. A jump is not treated as a
     // movement.
     void follow(const Vec3& at_m, double height_counts, const std::function<bool(const Vec3&)>& sees);
     double off_m() const { return off_m_; }
     // Returns the distance to the thing along the route. Near the route, the sideways distance adds only little, with a
-    // smooth transition, so that a movement sideways is neither nearer nor farther.
+    // smooth transition. So after a movement sideways, the person is neither nearer nor farther.
     double left_m() const { return back_m() + length_m_ - along_m_ + tail_m_; }
-    // Returns that distance, but without a jump when the route is planned again.
+    // Returns the same distance as left_m(), but without a jump when the route is planned again.
     double told_m() const { return left_m() + eased_m_; }
     // Returns the next turning, door or flight of stairs, or the end of the route if there is none.
     Vec3 next_turning_m() const;

@@ -19,12 +19,13 @@
 namespace handrail::core {
 namespace {
 
-// A route on foot is preferred to one with a lift if it is shorter than that route times kLongerOnFoot plus
-// kLongerOnFoot_m.
+// A route on foot is preferred to a route with a lift if it is shorter than the one with the lift times kLongerOnFoot
+// plus kLongerOnFoot_m.
 constexpr double kLongerOnFoot = 1.5, kLongerOnFoot_m = 15.0;
-constexpr double kTakenUpAhead_m = 2.0;     // the old route is joined again this far ahead
-constexpr double kAtPlace_m = 0.2;          // within this distance of the goal, no wall can be in between
-constexpr double kWorthTurningBack = 1.15;  // the old route is kept if it is shorter than the new one times this factor
+constexpr double kTakenUpAhead_m = 2.0;  // how far ahead the person joins the old route again
+constexpr double kAtPlace_m = 0.2;       // if the walker is within this distance of the goal, no wall can be in between
+// The old route is kept if it is shorter than the new route times this factor.
+constexpr double kWorthTurningBack = 1.15;
 
 }  // namespace
 
@@ -57,7 +58,8 @@ SpokenRoute::RoomRoute SpokenRoute::route_to(std::uint32_t room) const {
     };
     navigation::Route route = rooms_.navigation().plan(from_m, to_m);
     if (told_by_legs(route)) return {std::move(route), true};
-    // Directions leg by leg are more reliable than a lift, so stairs are preferred if they are not much longer.
+    // Directions leg by leg are more reliable than a lift, so stairs are preferred if the route over them is not much
+    // longer.
     if (route.reaches) {
         navigation::Route foot = rooms_.navigation().plan(from_m, to_m, navigation::RouteWish::OnFoot);
         if (told_by_legs(foot) && foot.length_m < kLongerOnFoot * route.length_m + kLongerOnFoot_m)
@@ -104,8 +106,8 @@ void SpokenRoute::follow_silently(navigation::Route route, const std::string& go
     told_.reset();
     plans_.know(route.points_m);
     planned_in_ = context_.world.scene;
-    // If the person already stands at the goal, the route has one point. It gets a second one, so that the route is
-    // followed and arrives.
+    // If the person already stands at the goal, the route has only one point. A second point is added, because a route
+    // with one point would not be followed and could not end with an arrival.
     if (route.points_m.size() == 1) route.points_m.push_back(route.points_m.front());
     std::vector<RouteNode> nodes = nodes_to(context_, route, goal);
     follower_.follow(std::move(route), std::move(nodes));
@@ -191,9 +193,9 @@ void SpokenRoute::note_stop(FeatureId by) {
     stopped_ = Stop{by, context_.body.feet_m(), context_.body.heading_rad, times};
 }
 
-// Returns the door whose leaf blocks the way to `to_m`, or whose leaf has just stopped the walker here. A leaf that
-// meets only a shoulder blocks too, even if the plan passes it. Empty if there is none, or if the leaf has stopped the
-// walker so often that it cannot be the only cause.
+// Returns the door whose leaf blocks the straight line to `to_m`, or whose leaf has just stopped the walker here. A
+// leaf that meets only a shoulder blocks too, even if the plan passes it. The text is empty if there is no such leaf,
+// or if the leaf has stopped the walker so often that it cannot be the only cause.
 std::string SpokenRoute::leaf_in_way(const Vec3& to_m) const {
     constexpr double kHere_m = 0.25, kThatWay_rad = 0.8;
     constexpr int kMostTimes = 4;
@@ -210,7 +212,7 @@ std::string SpokenRoute::leaf_in_way(const Vec3& to_m) const {
     return open ? passage_name(context_, navigation::PassageKind::Door, stopped_->by, 0.0) : std::string();
 }
 
-// True if the person stands near enough to climb these stairs with a key.
+// Returns true if the person stands near enough to these stairs to climb them with a key.
 bool SpokenRoute::stands_at(const navigation::RoutePassage& passage) const {
     const Vec3 off = passage.place_m - context_.body.feet_m();
     return std::hypot(off.x, off.y) < Climbs::kAtEnd_m;
@@ -224,14 +226,14 @@ std::optional<navigation::RoutePassage> SpokenRoute::climb_here() const {
     return passages.front();
 }
 
-// True if the person stands in this lift, which does not move automatically.
+// Returns true if the person stands in this lift, which does not move automatically.
 bool SpokenRoute::stands_in(const navigation::RoutePassage& passage) const {
     return passage.kind == navigation::PassageKind::Lift && passage.feature && context_.body.ground == passage.feature;
 }
 
-// Plans the rest of the route from here. If the new route leads back against the old one and is not much shorter, keeps
-// the old one. Otherwise, with two equally long routes, each plan might choose the other one, and the person would walk
-// to and fro.
+// Plans the rest of the route from here. If the new route leads back against the old one and is not much shorter,
+// returns the old one. Otherwise, if two routes are equally long, each plan might choose the other one, and the person
+// would walk to and fro.
 navigation::Route SpokenRoute::planned() const {
     const Vec3& feet_m = context_.body.feet_m();
     if (plans_.runs_to(name_)) return plans_.looked_at(feet_m);
@@ -252,8 +254,8 @@ navigation::Route SpokenRoute::planned() const {
     return kept.length_m < kWorthTurningBack * anew.length_m ? kept : anew;
 }
 
-// Announces `words`. If they are empty because directions are still being planned, says so; a later tick announces the
-// directions.
+// Announces `words`. If `words` is empty because directions are still being planned, says that instead. A later tick
+// announces the directions.
 void SpokenRoute::tell(const std::string& words, cues::SpeechTopic topic, double now_s) {
     if (!words.empty()) return context_.tell(topic, words, now_s, {.answers = true, .place_m = leg_place_m()});
     if (word_.at_work()) return context_.answer(phrase("leg.looks"), now_s);
@@ -330,14 +332,14 @@ RouteFollower::Said SpokenRoute::tick(double now_s) {
     return follower_.tick(context_.body.feet_m(), distances(context_), [this](bool at_end) { return there(at_end); });
 }
 
-// True if the person has arrived. If the goal is a room, the walker must stand inside it. Otherwise, the walker must be
-// at the place, with nothing in between.
+// Returns true if the person has arrived. If the goal is a room, the walker must stand inside it. Otherwise, the walker
+// must be at the goal, with nothing in between.
 bool SpokenRoute::there(bool at_end) const {
     const Vec3& feet_m = context_.body.feet_m();
     if (room_) {
         const navigation::RoomGraph& graph = rooms_.graph();
         if (navigation::stands_inside(graph, rooms_.space(), *rooms_.file_scene(), feet_m, *room_)) return true;
-        // For a room too small to stand inside, its middle counts.
+        // If a room is too small to stand inside, the walker must be at its middle.
         return at_end && glm::length(feet_m - graph.rooms[*room_].middle_m) < kAtPlace_m;
     }
     return at_end && (glm::length(feet_m - follower_.goal_m()) < kAtPlace_m ||

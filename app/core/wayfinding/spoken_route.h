@@ -1,5 +1,5 @@
-// A route that the person follows by ear. It is announced once as a whole, and then step by step. World metres. App
-// thread only.
+// Announces a route that the person follows by ear. The route is announced once as a whole, and then step by step.
+// Lengths are in world metres. Use it on the app thread only.
 #pragma once
 
 #include <memory>
@@ -20,12 +20,12 @@ public:
         : SessionPart(context), rooms_(rooms), plans_(plans), word_(context, rooms, ground) {}
 
     // Announces the route and follows it. If the goal cannot be reached, the route leads to the nearest place that can
-    // be reached, and the function returns false. `first` is announced before everything else. Requires that the rooms
-    // are found.
+    // be reached, and the function returns false. `first` is announced before everything else. Call it only after the
+    // rooms have been found.
     bool follow(navigation::Route route, const std::string& name, const std::string& first, double now_s);
     void follow_to(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s);
-    // Follows the route to a room with directions leg by leg. If lifts, teleporters or edges are on the route, works
-    // like follow().
+    // Follows the route to a room with directions leg by leg. If lifts, teleporters or edges are on the route, does the
+    // same as follow().
     bool follow_to_room(std::uint32_t room, const std::string& first, double now_s);
     // Returns the route from here to a room, for the announcement of its length.
     navigation::Route to_room(std::uint32_t room) const { return route_to(room).route; }
@@ -35,18 +35,19 @@ public:
     bool following() const { return follower_.following(); }
     bool plans_legs() const { return word_.awaited(); }
     bool plans_rest() const { return word_.at_work() && !word_.whole(); }
-    // The name of the goal or of the nearest place to it, as announced. It is kept after the route has ended.
+    // Returns the name of the goal or of the nearest place to it, as announced. The name is kept after the route has
+    // ended.
     const std::string& name() const { return name_; }
-    bool to_nearest() const { return to_nearest_; }  // true: the goal itself cannot be reached
+    bool to_nearest() const { return to_nearest_; }  // returns true if the goal itself cannot be reached
     const Vec3& goal_m() const { return follower_.goal_m(); }
     double along_m() const { return follower_.along_m(); }
     // Announces how far the route goes straight on, in which direction, and to what.
     void tell_on(double now_s);
-    // These announce the present leg and the next one.
+    // These functions announce the present leg and the next one.
     void tell_leg(double now_s);
     void tell_next_leg(double now_s);
     // tell_leg_unasked() announces what comes next without a request by the person. tell_anew() announces that or the
-    // whole route once more, because the line about it was cut off.
+    // whole route once more, because the line about the route was cut off.
     void tell_leg_unasked(std::string words, bool anew, double now_s);
     void tell_anew(cues::SpeechTopic topic, double now_s);
     void tell_rest(double now_s);
