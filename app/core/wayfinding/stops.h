@@ -1,5 +1,6 @@
-// The places where a person may want to go: things and marks, and stops of a route. Functions of the context. Functions
-// about stops require that the rooms are found. World metres. App thread only.
+// Finds the places where a person may want to go: things and marks, and stops of a route. Functions of the context.
+// Functions about stops require that the rooms have been found. Lengths are in world metres. Use them on the app thread
+// only.
 #pragma once
 
 #include <string>
@@ -11,7 +12,7 @@
 
 namespace handrail::core {
 
-// Something to find or to go to.
+// A thing or a place that the person wants to find or go to.
 struct Goal {
     std::string name;
     Aabb box_m;  // a single point for marks and for places on walls
@@ -29,19 +30,19 @@ Aabb told_box(const Rooms& rooms, const Goal& goal);
 
 inline constexpr double kAtStop_m = 1.5;  // within this distance of a stop no guidance to it is needed
 
-// True if `place_m` is within this horizontal distance of the stop, on the same storey.
+// Returns true if `place_m` is within the horizontal distance `near_m` of the stop, on the same storey.
 bool near_stop(const Stop& stop, const Vec3& place_m, double near_m);
-// Makes a stop at this place. It is named after the room, as the map or the person calls it, or else after what is
-// near, or else `otherwise`.
+// Makes a stop at `place_m`. The stop gets the name that the map or the person gave the room. Without such a name, it
+// is named after what is near, or else `otherwise`.
 Stop stop_at_place(const Rooms& rooms, const Vec3& place_m, const std::string& otherwise);
 Stop stop_in_room(const Rooms& rooms, std::uint32_t room);
 // Makes a stop where a person who comes from `from_m` stands in front of the goal.
 Stop stop_at_goal(const SessionContext& context, const Rooms& rooms, const Goal& goal, const Vec3& from_m);
-// Returns the thing at a stop, at its present place. If there is none, returns the stop itself.
+// Returns the thing at a stop, at its present place. If there is no thing, returns the stop itself.
 Goal goal_of(const SessionContext& context, const Stop& stop);
 
-// The goals that the person has chosen one after the other, each reached from the previous one. Together they form a
-// route.
+// Remembers the goals that the person has chosen one after the other, each reached from the previous one. Together they
+// form a route.
 class PlannedStops : SessionPart {
 public:
     PlannedStops(const SessionContext& context, const Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
@@ -50,8 +51,8 @@ public:
     // Notes that the person wants to go from `from_m` to this stop.
     void note(const Stop& stop, const Vec3& from_m);
     const std::vector<Stop>& stops() const { return stops_; }
-    // Also contains goals that were chosen one after the other without walking to them, as an instructor does to
-    // prepare a route.
+    // Returns the chosen stops. They also include goals that were chosen one after the other without walking to them,
+    // as an instructor does to prepare a route.
     const std::vector<Stop>& chosen() const { return chosen_; }
 
 private:

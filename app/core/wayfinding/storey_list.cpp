@@ -12,7 +12,7 @@ namespace handrail::core {
 namespace {
 
 constexpr std::size_t kMostRoomsTold = 8;
-constexpr double kUnreached_m = 1e6;  // larger than any distance on foot
+constexpr double kUnreached_m = 1e6;  // a distance larger than any distance on foot
 
 // Returns "You are on Level 1. Its rooms: hall, kitchen and 3 more."
 std::string own_storey_words(const navigation::RoomGraph& graph, const std::vector<StoreyOfRooms>& storeys,

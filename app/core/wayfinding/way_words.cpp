@@ -59,7 +59,7 @@ std::string whole_way_words(const SessionContext& context, const Rooms& rooms, c
     RouteRun along{{stops.begin(), stops.end()}, 1, false, {}, 0};
     Vec3 from = stops.front().place_m;
     double heading_rad = context.body.heading_rad, all_m = 0.0;
-    // For a person who stands elsewhere, left and right at the first stop would have no meaning.
+    // If the person does not stand at the first stop, left and right at that stop would mean nothing to them.
     bool first = !near_stop(stops.front(), context.body.feet_m(), kAtStop_m);
     std::string legs;
     while (along.next < stops.size()) {

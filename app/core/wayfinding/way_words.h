@@ -1,5 +1,5 @@
-// Planned routes in words: the features on a route in their present state, and a whole route with its stops. Functions
-// of the context; planning costs one call of Navigation::plan for each leg. App thread only.
+// Puts planned routes into words: the features on a route in their present state, and a whole route with its stops.
+// Functions of the context. Planning costs one call of Navigation::plan for each leg. Use them on the app thread only.
 #pragma once
 
 #include <span>
@@ -16,11 +16,12 @@ namespace handrail::core {
 // Returns the instructions for a route, including present obstacles at its passages.
 std::vector<RouteNode> nodes_to(const SessionContext& context, const navigation::Route& route, const std::string& goal);
 
-// Returns the length of a route and the rooms on it: "28 steps in all, through Hall and Study." Requires that the rooms
-// are found.
+// Returns the length of a route and the rooms on it: "28 steps in all, through Hall and Study." Call it only after the
+// rooms have been found.
 std::string overview_words(const SessionContext& context, const Rooms& rooms, const navigation::Route& route);
 
-// Returns the whole route from its first stop on, with the directions to each stop. Requires that the rooms are found.
+// Returns the whole route from its first stop on, with the directions to each stop. Call it only after the rooms have
+// been found.
 std::string whole_way_words(const SessionContext& context, const Rooms& rooms, const std::string& name,
                             std::span<const Stop> stops);
 

@@ -17,8 +17,9 @@ namespace {
 constexpr std::size_t kMostWaysFirst = 2;   // number of exits that are named before what is ahead
 constexpr std::size_t kMostThingsTold = 4;  // number of things that are named when the person asks "where am I" again
 constexpr std::size_t kMostThings = 24;     // number of things that are examined
-constexpr double kHandPoints_m = 0.3;       // a hand within this distance of the walker does not point anywhere
-// Levels of verbosity at which an announcement has the name, more details, or everything.
+// If the hand is within this distance of the walker, it does not point in any direction.
+constexpr double kHandPoints_m = 0.3;
+// Levels of verbosity from which on an announcement has the name, more details, or everything.
 constexpr int kTellName = 2, kTellMore = 3, kTellAll = 4;
 constexpr double kSamePlace_m = 0.05, kSameTurn_rad = 0.02;
 constexpr double kOpen = 0.95, kShut = 0.05;
@@ -61,8 +62,8 @@ Asker Asking::asker() const {
     return asker;
 }
 
-// Returns the state of a thing that can change. For a door, also returns the side of its hinge and of its handle as
-// seen from here.
+// Returns the present state of a thing. For a door, also returns the side of its hinge and of its handle as seen from
+// here.
 std::string Asking::state_of(const Sight& sight) const {
     const Feature* feature = context_.world.scene->find(sight.seen.feature);
     if (!feature) return {};
@@ -176,7 +177,7 @@ std::string Asking::what_else() const {
         const auto seen = sight_along(asker(), context_.body.heading_rad + quarter * kPi / 2.0);
         if (seen && std::any_of(things.begin(), things.end(),
                                 [&](const Sight& thing) { return thing.seen.feature == seen->seen.feature; }))
-            continue;  // this thing is mentioned separately
+            continue;  // This thing is mentioned separately.
         text += (text.empty() ? "" : " ") + side_sentence(quarter);
     }
     const std::string rest = tell_sights(std::span(others, things.end()));
@@ -270,7 +271,8 @@ void Asking::describe_touched(double now_s) {
                     now_s);
 }
 
-// The answer has the name at every verbosity. If the person asks again, it has everything that is known.
+// The answer has the name of the thing at every verbosity. If the person asks again, the answer has everything that is
+// known.
 std::string Asking::touched_words(const servo::ToolState& tool) {
     FeatureId& described = &tool == &context_.hands.tool ? described_ : left_described_;
     if (!tool.touches()) {

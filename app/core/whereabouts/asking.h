@@ -1,5 +1,5 @@
-// Answers questions about the walker's place: where it is, what is around, ahead, in one direction or under the hand,
-// and the heading, the coordinates and the scale. App thread only.
+// Answers questions about the walker's place: where it is, what is around, ahead, in one direction or under the hand.
+// It also answers questions about the heading, the coordinates and the scale. Use it on the app thread only.
 #pragma once
 
 #include <optional>
@@ -20,12 +20,13 @@ public:
 
     Asking(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
-    // Handles the commands that ask such questions. Returns false for other commands.
+    // Carries out the commands that ask such questions. Returns false for other commands.
     bool act(Command command, double now_s);
     // Answers "where am I" with place, direction, exits, and what is ahead. At the default verbosity, the answer has at
-    // most `most_words` words. From level 3 on, it is complete.
+    // most `most_words` words. From verbosity 3 on, nothing is left out.
     std::string where_am_i(std::size_t most_words = kMostWords) const;
-    // Returns once the thing that the person last asked about, under the hand or ahead, or kNoFeature.
+    // Returns the thing that the person asked about last, under the hand or ahead, or kNoFeature. Each thing is
+    // returned only once.
     FeatureId take_asked_about() { return std::exchange(asked_about_, kNoFeature); }
     // Returns what where_am_i() leaves out: the other sides and what else is near.
     std::string what_else() const;
@@ -60,7 +61,7 @@ private:
         double heading_rad = 0.0;
     };
     std::optional<Stood> asked_at_;  // where the person last got the short answer to "where am I"
-    // Things that "what is this" described last, for the right or only hand and the left hand.
+    // The things that "what is this" described last, for the right or only hand and the left hand.
     FeatureId described_ = kNoFeature, left_described_ = kNoFeature;
 };
 

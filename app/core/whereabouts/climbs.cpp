@@ -11,8 +11,10 @@ namespace handrail::core {
 namespace {
 
 constexpr double kOneFloor_m = 0.5;
-constexpr double kGoneAway_m = 1.5;       // a person farther than this from an end has left it
-constexpr double kToWhatIsFaced_m = 1.2;  // distance within which a door or button that the person faces counts
+// If the person is farther than this from an end of the stairs, they have left that end.
+constexpr double kGoneAway_m = 1.5;
+// A door or button that the person faces is used instead if it is nearer than this.
+constexpr double kToWhatIsFaced_m = 1.2;
 
 }  // namespace
 
@@ -37,8 +39,8 @@ std::optional<Climbs::End> Climbs::end_here(double within_m, const navigation::R
     return nearest;
 }
 
-// True if the hand touches something else that the Use key operates. Also true if something else is straight ahead,
-// unless the route uses the stairs (`wanted`).
+// Returns true if the hand touches something else that the Use key operates. Also returns true if something else is
+// straight ahead, unless the route uses the stairs (`wanted`).
 bool Climbs::something_else(bool wanted) const {
     if (context_.hands.tool.touches() && mover_of(context_.world, context_.hands.tool.touched()) >= 0) return true;
     if (wanted) return false;

@@ -1,5 +1,6 @@
-// Stairs on which the walker cannot walk, so that one command climbs all of them. This class announces them to a person
-// who comes to one of their ends, and the Use key climbs them. App thread only.
+// Lets a person climb stairs on which the walker cannot walk, with one command for all of the stairs. This class
+// announces such stairs when the person comes to one of their ends, and the Use key climbs them. Use it on the app
+// thread only.
 #pragma once
 
 #include <functional>
@@ -13,20 +14,21 @@ namespace handrail::core {
 
 class Climbs : SessionPart {
 public:
-    static constexpr double kAtEnd_m = 1.0;  // distance from an end within which the person can climb
+    static constexpr double kAtEnd_m = 1.0;  // the person can climb stairs from within this distance of an end
 
     Climbs(const SessionContext& context, Rooms& rooms, const Asking& asking)
         : SessionPart(context), rooms_(rooms), asking_(asking) {}
 
     void enter_world() { told_.reset(); }
-    // Handles the command Use at an end of such stairs. Stairs on the followed route have priority, in the direction of
-    // the route. Otherwise it takes the nearest stairs if the person neither touches nor faces anything else to use.
-    // Returns false if the command belongs to another feature.
+    // Carries out the command Use at an end of such stairs. Stairs on the followed route have priority, in the
+    // direction of the route. Otherwise the command climbs the nearest stairs if the person neither touches nor faces
+    // anything else to use. Returns false if the command belongs to another feature.
     bool act(Command command, double now_s);
-    // Call it once a tick, after Rooms::tick().
+    // Announces stairs at whose end the person has arrived. Call it once a tick, after Rooms::tick().
     void tick(double now_s);
 
-    // Set by the session. It returns the next stairs on the followed route if the person stands before them.
+    // The session sets this function. It returns the next stairs on the followed route if the person stands before
+    // them.
     std::function<std::optional<navigation::RoutePassage>()> on_way;
 
 private:

@@ -14,8 +14,9 @@ namespace handrail::core {
 namespace {
 
 constexpr double kWallReach_m = 30.0;
-constexpr double kElsewhere_m = 2.0;   // a known place within this distance counts as the present one
-constexpr double kDoorBeside_m = 2.0;  // a doorway within this distance has just been passed
+constexpr double kElsewhere_m = 2.0;  // a known place within this distance is taken for the present place
+// When the walker's room changes, the person has passed a doorway within this distance.
+constexpr double kDoorBeside_m = 2.0;
 constexpr std::size_t kMostKnown = 32;
 
 }  // namespace

@@ -1,5 +1,6 @@
-// For a person who is lost, or who wants to know a place before going there: the commands "I am lost", the description
-// of a distant room, and the description of the building in three sentences. App thread only.
+// Helps a person who is lost, or who wants to know a place before going there. It carries out the command "I am lost",
+// the description of a distant room, and the description of the building in three sentences. Use it on the app thread
+// only.
 #pragma once
 
 #include <deque>
@@ -12,16 +13,16 @@ namespace handrail::core {
 
 class FarPlaces : SessionPart {
 public:
-    // Turns the walker in `body` for "I am lost".
+    // For the command "I am lost", turns the walker in `body`.
     FarPlaces(const SessionContext& context, WalkerState& body, Rooms& rooms);
 
     void enter_world();
-    // Handles these three commands. Returns false for other commands.
+    // Carries out these three commands. Returns false for other commands.
     bool act(Command command, double now_s);
     // Call it with every command that was carried out. If the command announced the person's location, the present
     // place becomes a known place.
     void note(Command command);
-    // Call it once a tick, after Rooms::tick(). If the person passes a doorway, the doorway becomes a known place.
+    // Notes a doorway that the person passes as a known place. Call it once a tick, after Rooms::tick().
     void tick();
 
 private:
@@ -41,7 +42,7 @@ private:
 
     WalkerState& body_;
     Rooms& rooms_;
-    std::deque<Known> known_;  // the newest last
+    std::deque<Known> known_;  // known places, the newest last
     std::uint32_t room_ = navigation::kNothing;
 };
 

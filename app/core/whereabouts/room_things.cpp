@@ -12,8 +12,8 @@ constexpr double kBeforeDoor_m[] = {0.6, 0.8, 1.0, 1.3};
 std::optional<Vec3> before_door(const SessionContext& context, const Rooms& rooms, std::uint32_t room,
                                 const Vec3& door_m) {
     const WalkerShape shape = context.body.walker->shape();
-    // The place is straight in front of the thing if possible. So the quarters of the compass are tried first, then the
-    // directions between them.
+    // If possible, the place is straight in front of the thing. So the quarters of the compass are tried first, then
+    // the directions between them.
     for (int i = 0; i < 16; ++i) {
         const int sixteenth = i < 4 ? 4 * i : i < 8 ? 4 * (i - 4) + 2 : 2 * (i - 8) + 1;
         for (const double far_m : kBeforeDoor_m) {

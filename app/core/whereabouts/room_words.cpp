@@ -25,12 +25,13 @@ namespace {
 constexpr double kThingAtWall_m = 0.8;
 constexpr std::size_t kMostAtWall = 5, kMostNeighbours = 5, kMostHubs = 4;
 constexpr std::size_t kMostWordsOfExits = 38;
-// If room names are long, fewer rooms are named, so that there are not more words than this.
+// If the names of neighbouring rooms are long, fewer rooms are named, so that the sentence has no more words than this.
 constexpr std::size_t kMostWordsOfNeighbours = 40;
 constexpr std::array kWalls{"kind.north_wall", "kind.east_wall", "kind.south_wall", "kind.west_wall"};
 constexpr std::size_t kMiddle = kWalls.size();
 
-// The wall of the room next to a box, and the clockwise distance along that wall. kMiddle: the box is not at a wall.
+// The wall of the room next to which a box is, and the clockwise distance along that wall. If `wall` is kMiddle, the
+// box is not at a wall.
 struct AtWall {
     std::size_t wall = kMiddle;
     double along_m = 0.0;
@@ -93,7 +94,7 @@ std::string exits_words(const SessionContext& context, const navigation::RoomGra
         exits.emplace_back(1e6 * static_cast<double>(at.wall) + at.along_m, joined(exit, phrase(kWalls[at.wall])));
     }
     std::stable_sort(exits.begin(), exits.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    // The sentence is limited, because nobody remembers more words of one sentence.
+    // The length of the sentence is limited, because nobody remembers more words of one sentence.
     std::vector<std::string> told;
     std::size_t words = 0;
     for (auto& [order, exit] : exits) {
@@ -217,7 +218,7 @@ std::string room_words(const SessionContext& context, const Rooms& rooms, std::u
     const navigation::Room& told = graph.rooms[room];
     const Vec2 size = room_size_m(*context.world.scene, graph, room);
     const std::string name = sentence_case(told.name);
-    // If the name already consists of the size, the size is not repeated.
+    // If the name of the room already consists of the size, the size is not repeated.
     const bool by_size =
         !told.given && told.map_name.empty() && told.made.thing.empty() && told.kind == navigation::RoomKind::Room;
     std::string text =
@@ -254,8 +255,9 @@ std::string building_words(const SessionContext& context, const Rooms& rooms) {
 
 Outline outline_of(const std::vector<Aabb>& boxes_m) {
     contract_pre(!boxes_m.empty());
-    constexpr int kCells = 24;  // cells of the grid in each direction
-    // Limits for the covered share of a quarter, or of the whole.
+    constexpr int kCells = 24;  // number of cells of the grid in each direction
+    // The shape of the outline depends on whether the covered share of a quarter, or of the whole, is above or below
+    // these limits.
     constexpr double kWhole = 0.8, kGone = 0.35, kFull = 0.7;
     Aabb whole;
     for (const Aabb& box : boxes_m) whole.include(box);

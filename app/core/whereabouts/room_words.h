@@ -1,6 +1,6 @@
-// Descriptions of distant rooms and of the whole building, for a person who wants to know them before walking there.
-// Functions of the context and the room graph, which require that the rooms are found; app thread. Describing a room
-// examines every thing of the world once.
+// Describes distant rooms and the whole building, for a person who wants to know them before walking there. Functions
+// of the context and the room graph, for the app thread. Call them only after the rooms have been found. Describing a
+// room examines every thing of the world once.
 #pragma once
 
 #include <string>
@@ -9,15 +9,16 @@
 
 namespace handrail::core {
 
-// Describes a room: its size, its exits with their walls, and what is along the walls, clockwise from the west end of
-// the north wall as seen from above: "Library, 9 by 6 metres, 13 by 9 steps. 2 exits: ... North wall: shelf; table."
+// Describes a room: its size, its exits with their walls, and what is along the walls. The walls are listed clockwise
+// from the west end of the north wall, as seen from above: "Library, 9 by 6 metres, 13 by 9 steps. 2 exits: ... North
+// wall: shelf; table."
 std::string room_words(const SessionContext& context, const Rooms& rooms, std::uint32_t room);
 
-// Describes the building in three sentences: storeys and rooms; size and outline of everything under a roof; and which
-// rooms connect to which, those with the most neighbours first.
+// Describes the building in three sentences. They contain the storeys and rooms, the size and outline of everything
+// under a roof, and which rooms connect to which. The rooms with the most neighbours come first.
 std::string building_words(const SessionContext& context, const Rooms& rooms);
 
-// The shape of an outline, for speech.
+// The shape of an outline, as it is announced.
 enum class OutlineShape {
     Rectangle,
     CornerMissing,  // three quarters of a rectangle, in the form of an L
@@ -26,7 +27,8 @@ enum class OutlineShape {
 };
 struct Outline {
     OutlineShape shape = OutlineShape::Rectangle;
-    int corner = 0;  // the missing corner for CornerMissing: 0 north-east, 1 south-east, 2 south-west, 3 north-west
+    // Which corner is missing if the shape is CornerMissing: 0 north-east, 1 south-east, 2 south-west, 3 north-west.
+    int corner = 0;
 };
 // Returns the outline of the boxes as seen from above, sampled on a grid of squares. There must be at least one box,
 // and no box may be empty.

@@ -18,7 +18,7 @@ namespace handrail::core {
 std::shared_ptr<RoomsOfWorld> Rooms::enter_world(std::shared_ptr<const Scene> scene, RoutesKeeper keeper) {
     const WalkerSize size = body_size(*scene, context_.settings.walk.body_radius_m);
     std::shared_ptr<RoomsOfWorld> left = std::move(of_world_);
-    if (left) left->give_up();  // stops the previous search before the next one begins
+    if (left) left->give_up();  // The previous search is stopped before the next one begins.
     const navigation::WalkerMeasures body = navigation::walk_body(*scene, size.radius_m, size.height_m, size.step_up_m);
     of_world_ = std::make_shared<RoomsOfWorld>(std::move(scene), body, context_.executor, std::move(keeper),
                                                context_.rooms_kept, context_.arrivals);
@@ -57,8 +57,8 @@ void Rooms::tick(double now_s) {
     tell_that_it_takes_long(now_s);
 }
 
-// Announces once that the search for rooms takes long, and then once that the rooms are known. There are no further
-// announcements, so as not to disturb an exploring person.
+// Announces once that the search for rooms takes long, and later once that the rooms are known. There are no further
+// announcements, so that an exploring person is not disturbed.
 void Rooms::tell_that_it_takes_long(double now_s) {
     if (!of_world_) return;
     if (looked_for_) {
@@ -88,18 +88,19 @@ void Rooms::know_leaves() {
         if (context_.world.thing_of_mover[i] < 0 ||
             context_.world.scene->features[mover.feature.value].kind != FeatureKind::Door)
             continue;
-        if (context_.world.movers.at(i) == mover.at(0.0)) continue;  // shut in the file, even if the door rests open
+        // The door is shut in the file, even if it rests open. Skip it while it is at that place.
+        if (context_.world.movers.at(i) == mover.at(0.0)) continue;
         const auto thing = static_cast<std::size_t>(context_.world.thing_of_mover[i]);
         const Aabb& own = context_.world.scene->placed[thing].model->bounds_m;
         const Vec3 size = own.size_m();
-        // This is a bridge or a trapdoor, on which the walker can walk.
+        // An object lower than it is wide is a bridge or a trapdoor, on which the walker can walk.
         if (size.z < std::min(size.x, size.y)) continue;
         leaves.push_back({own, context_.world.things.at(thing)});
     }
     navigation().know_leaves(leaves);
 }
 
-// Returns true if the rooms are known. Otherwise announces why they are not.
+// Returns true if the rooms are known. If they are not, announces the reason.
 bool Rooms::have(double now_s) {
     if (!looked_for_) {
         context_.answer(phrase("rooms.not_yet"), now_s);
@@ -147,8 +148,8 @@ bool Rooms::tell_here_anew(double now_s) {
     return true;
 }
 
-// Returns "House, storey 2 of 2: 5 rooms. " for the first room that the walker enters on another storey. Empty if
-// `told` does not permit the announcement.
+// Returns "House, storey 2 of 2: 5 rooms. " for the first room that the walker enters on another storey. The text is
+// empty if `told` does not permit the announcement.
 std::string Rooms::storey_news(bool told) {
     const std::vector<StoreyOfRooms> storeys = storeys_of(*file_scene(), graph());
     const std::size_t now_on = storey_of_room(storeys, graph(), here_);
@@ -241,10 +242,10 @@ void Rooms::give_name(std::uint32_t room, const std::string& typed, double now_s
 }
 
 void Rooms::take_names_again() {
-    std::vector<Error> faults;  // not announced, because errors were announced when the world was entered
+    std::vector<Error> faults;  // errors that are not announced, because they were announced when the world was entered
     names_ = read_room_names(context_.additions, faults);
     drawing_.reset();
-    if (!found()) return;  // otherwise the names are given to the rooms once the rooms are known
+    if (!found()) return;  // If the rooms are not known yet, they get the names later, when they are known.
     for (navigation::Room& room : graph().rooms)
         if (std::exchange(room.given, false)) room.name = navigation::own_name(room);
     lay_room_names(graph(), space(), context_.additions, names_);

@@ -1,6 +1,6 @@
-// The rooms of the present world: in which room the walker is, where the exits lead, and the person's names for rooms.
-// This class does not know whether a route is followed. App thread only. RoomsOfWorld searches for the rooms in a
-// background task.
+// Determines in which room of the present world the walker is and where the exits lead, and stores the person's names
+// for rooms. This class does not know whether a route is followed. RoomsOfWorld searches for the rooms in a background
+// task. Use this class on the app thread only.
 #pragma once
 
 #include <functional>
@@ -22,26 +22,27 @@ class Rooms : SessionPart {
 public:
     explicit Rooms(const SessionContext& context) : SessionPart(context) {}
 
-    // `scene` is the world as in its file. For `keeper` see RoomsOfWorld. Returns the rooms of the previous world. A
-    // background task should destroy them, because that may wait for a thread and a disk.
+    // Begins the search for the rooms of another world. `scene` is the world as in its file. RoomsOfWorld explains
+    // `keeper`. Returns the rooms of the previous world. A background task should destroy these rooms, because that may
+    // wait for a thread and a disk.
     std::shared_ptr<RoomsOfWorld> enter_world(std::shared_ptr<const Scene> scene, RoutesKeeper keeper = {});
-    // Handles the commands for exits, for unvisited exits and for naming a room. Returns false for other commands.
+    // Carries out the commands for exits, for unvisited exits and for naming a room. Returns false for other commands.
     bool act(Command command, double now_s);
     void tick(double now_s);
 
-    // True if rooms and routes are available.
+    // Returns true if rooms and routes are available.
     bool known();
-    // Like known(), but also determines the present room. If the rooms are not known, announces why.
+    // Does the same as known(), and also determines the present room. If the rooms are not known, announces the reason.
     bool have(double now_s);
-    // True if have() has been called since the last call of this function while the rooms were not known.
+    // Returns true if have() was called while the rooms were not known, since the last call of this function.
     bool take_refused() { return std::exchange(refused_, false); }
-    // True if the rooms have been found, even if the positions of the world's door leaves are not known yet.
+    // Returns true if the rooms have been found, even if the positions of the world's door leaves are not known yet.
     bool found() const { return looked_for_ && of_world_->found(); }
-    // True if the search had ended by the last tick, with or without a result.
+    // Returns true if the search had ended by the last tick, with or without a result.
     bool looked_for() const { return looked_for_; }
     bool awaited() const { return of_world_ && !looked_for_; }
     const std::string& problem() const { return of_world_->problem(); }
-    // These are valid only if found() is true.
+    // The results of these functions are valid only if found() is true.
     navigation::RoomGraph& graph() const { return of_world_->graph(); }
     navigation::Navigation& navigation() const { return of_world_->navigation(); }
     const navigation::WalkSpace& space() const { return navigation().space(); }
@@ -49,27 +50,28 @@ public:
     const std::shared_ptr<const Scene>& file_scene() const { return of_world_->scene(); }
     std::shared_ptr<const navigation::Navigation> navigation_kept() const { return of_world_->navigation_kept(); }
 
-    // The room in which the walker was last; kNothing: none.
+    // Returns the room in which the walker was last, or kNothing.
     std::uint32_t here() const { return here_; }
     // Determines the present room, and announces it unless `quietly` is true.
     void notice(double now_s, bool quietly);
-    // Announces the name of the present room once more, because the line with it was cut off. Does nothing if the
-    // person wants no names of rooms. Returns false if there is no room.
+    // Announces the name of the present room once more, because the line with the name was cut off. If the person wants
+    // no names of rooms, announces nothing. Returns false if there is no room.
     bool tell_here_anew(double now_s);
 
     // Asks for a name for a room, stores it and then calls `then`.
     void ask_name(std::uint32_t room, std::function<void(double now_s)> then, double now_s);
-    // Call it when another session has changed the names in the file.
+    // Reads the names again. Call it when another session has changed them in the side file.
     void take_names_again();
 
     // Makes rooms for the plan on the display while it is shown.
     void show_plan(bool shown) { drawn_ = shown; }
     const std::shared_ptr<const std::vector<DrawnRoom>>& drawing() const { return drawing_; }
 
-    // These are set by the session, for features that store things by room.
+    // The session sets these functions, for features that store things by room.
     std::function<void(double now_s)> on_known;  // called once for each world, when the rooms are known
     std::function<void(const std::string& before, const std::string& name)>
-        on_renamed;  // `before` and `name` as in files; empty: the room had no stored name
+        // Called when a room was renamed; `before` and `name` as in files; empty: the room had no stored name.
+        on_renamed;
 
 private:
     void know_leaves();
@@ -82,11 +84,11 @@ private:
 
     bool looked_for_ = false, told_ = false, drawn_ = false, refused_ = false;
     std::shared_ptr<RoomsOfWorld> of_world_;
-    // Begins at the first tick in this world; none: not begun, or the search has ended.
+    // It is set at the first tick in this world. No value: the search has not begun, or it has ended.
     std::optional<Patience> patience_;
     std::uint32_t here_ = navigation::kNothing;
     std::optional<std::size_t> storey_;  // the last storey on which the walker was in a room
-    std::vector<bool> visited_;          // for each room: the walker has been there since the world was entered
+    std::vector<bool> visited_;          // for each room: true if the walker has been there since the world was entered
     std::vector<RoomNameGiven> names_;
     std::shared_ptr<const std::vector<DrawnRoom>> drawing_;  // rooms for the plan on the display
     std::string drawn_language_;

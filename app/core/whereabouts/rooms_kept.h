@@ -1,8 +1,8 @@
-// The rooms and routes of worlds that several sessions enter, such as a lesson's world and the sessions of its pupils,
-// so that they are searched for only once. A session with a RoomsKept takes the earlier result for the same scene, the
-// same size of the walker and the spoken language. If there is none, the session stores its own result here. Scenes are
-// compared by address and kept as long as their results. Cost: the memory of one WalkSpace for each world. Owned by the
-// code that enters the worlds; one thread.
+// Keeps the rooms and routes of worlds that several sessions enter, so that they are searched for only once. An example
+// is a lesson's world with the sessions of its pupils. A session with a RoomsKept uses the earlier result for the same
+// scene, the same size of the walker and the spoken language. If there is none, the session stores its own result here.
+// Scenes are compared by address and kept as long as their results. Each world costs the memory of one WalkSpace. The
+// code that enters the worlds owns the object, and only one thread uses it.
 #pragma once
 
 #include <cstddef>
@@ -28,12 +28,13 @@ public:
         std::vector<std::string> out_of_reach;
     };
 
-    // Keeps the results of at most `most` worlds, those that were found last.
+    // Keeps the results of at most `most` worlds. When there are more, the oldest results are dropped.
     explicit RoomsKept(std::size_t most = 1) : most_(most) {}
     RoomsKept(const RoomsKept&) = delete;
     RoomsKept& operator=(const RoomsKept&) = delete;
 
-    // Returns the result for this scene and size of the walker, or null if there is none. Valid until the next keep().
+    // Returns the result for this scene and size of the walker, or null if there is none. The pointer is valid until
+    // the next keep().
     const Found* of(const std::shared_ptr<const Scene>& scene, const navigation::WalkerMeasures& body) const;
     void keep(Found found);
 

@@ -28,7 +28,7 @@ RoomsOfWorld::~RoomsOfWorld() {
     if (worker_.joinable()) worker_.join();
 }
 
-// Takes the earlier result for the same scene, if there is one.
+// Uses the earlier result for the same scene, if there is one. Returns false if there is none.
 bool RoomsOfWorld::take_from(const RoomsKept& shared) {
     const RoomsKept::Found* before = shared.of(scene_, body_);
     if (!before) return false;
@@ -63,7 +63,7 @@ void RoomsOfWorld::find_or_take(const std::string& key, const std::stop_token& s
 void RoomsOfWorld::find(const std::stop_token& stop) {
     std::string key;
     std::shared_ptr<const navigation::Navigation> to_keep;
-    navigation::RoomGraph graph;  // a copy of the graph before the names from the person are added
+    navigation::RoomGraph graph;  // a copy of the graph from before the person's names were added
     try {
         if (keeper_) key = stored::ways_key(*scene_, body_);
         find_or_take(key, stop);
@@ -73,7 +73,7 @@ void RoomsOfWorld::find(const std::stop_token& stop) {
             to_keep = navigation_;
         }
     } catch (const std::bad_alloc&) {
-        // The session continues without rooms and routes.
+        // The search failed, so the session continues without rooms and routes.
         navigation_.reset();
         graph_ = {};
         out_of_reach_.clear();
@@ -85,7 +85,7 @@ void RoomsOfWorld::find(const std::stop_token& stop) {
     try {
         if (const std::string packed = stored::stored_ways(to_keep->space(), graph, stop); !packed.empty())
             keeper_.keep(key, packed);
-    } catch (const std::bad_alloc&) {  // nothing is stored, so the next start searches again
+    } catch (const std::bad_alloc&) {  // Memory is short, so nothing is stored, and the next start searches again.
     }
 }
 

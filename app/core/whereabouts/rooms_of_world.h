@@ -1,5 +1,5 @@
-// The rooms and routes of the present world. A background task searches for them, so that entering a world does not
-// wait. Owned by the session and used on the app thread only.
+// Searches for the rooms and routes of the present world in a background task, so that entering a world does not wait.
+// The session owns this object and uses it on the app thread only.
 #pragma once
 
 #include <atomic>
@@ -21,29 +21,29 @@ class RoomsKept;
 
 class RoomsOfWorld {
 public:
-    // `keeper` returns what was stored for this scene and size of the walker. After ready(), it stores a new result. If
-    // there is no `keeper`, `shared` does both, unless it is null. `arrivals` decides when ready() returns true; null:
-    // as soon as the search is done.
+    // `keeper` returns what was stored for this scene and size of the walker. After ready(), it stores a new result.
+    // Without a `keeper`, `shared` returns and stores the result, unless it is null. `arrivals` decides when ready()
+    // returns true. If `arrivals` is null, that is as soon as the search is done.
     RoomsOfWorld(std::shared_ptr<const Scene> scene, const navigation::WalkerMeasures& body, const Executor& executor,
                  RoutesKeeper keeper = {}, RoomsKept* shared = nullptr, Arrivals* arrivals = nullptr);
     ~RoomsOfWorld();  // gives up an unfinished search, and waits for its end
     RoomsOfWorld(const RoomsOfWorld&) = delete;
     RoomsOfWorld& operator=(const RoomsOfWorld&) = delete;
 
-    // True once the search is done, with or without success. The other functions are valid only after that.
+    // Returns true once the search is done, with or without success. The other functions are valid only after that.
     bool ready();
     bool found() const { return navigation_ != nullptr; }
-    bool kept() const { return kept_; }  // true: the result was stored earlier, so there was no search
-    // The reason why there are no rooms, as a sentence; empty: there is no problem.
+    bool kept() const { return kept_; }  // returns true if the result was stored earlier, so that there was no search
+    // Returns the reason why there are no rooms, as a sentence, or an empty text if there are rooms.
     const std::string& problem() const { return problem_; }
-    // Call it if the result is not needed any more. ready() may then never return true.
+    // Ends the search. Call it if the result is not needed any more. After that, ready() may never return true.
     void give_up() { stop_.request_stop(); }
-    // See unreachable_rooms().
+    // Returns the result of unreachable_rooms().
     const std::vector<std::string>& out_of_reach() const { return out_of_reach_; }
     // Returns the scene from the constructor.
     const std::shared_ptr<const Scene>& scene() const { return scene_; }
     navigation::Navigation& navigation() { return *navigation_; }
-    // For background tasks that may still plan routes while another world is entered.
+    // Returns the navigation for background tasks that may still plan routes while another world is entered.
     std::shared_ptr<const navigation::Navigation> navigation_kept() const { return navigation_; }
     navigation::RoomGraph& graph() { return graph_; }
 

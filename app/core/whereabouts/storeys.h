@@ -1,5 +1,5 @@
-// The storeys of a building, derived from its rooms, with their names and numbers of rooms. Pure functions over plain
-// values; world metres; any thread.
+// Derives the storeys of a building from its rooms, with their names and numbers of rooms. Pure functions over plain
+// values in world metres, which any thread may call.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,9 @@
 namespace handrail::core {
 
 struct StoreyOfRooms {
-    int level = 0;                     // the same number as in Room::level, which also counts storeys without rooms
-    std::string file_name;             // name of the storey in the file, for speech; empty: none
-    double floor_m = 0.0;              // height of the floor of most of its rooms
+    int level = 0;          // number of the storey as in Room::level, which also counts storeys without rooms
+    std::string file_name;  // name of the storey in the file, as it is spoken; empty: none
+    double floor_m = 0.0;   // height of the floor of most of its rooms
     std::vector<std::uint32_t> rooms;  // indices in the room graph; never empty
 };
 
@@ -22,7 +22,8 @@ struct StoreyOfRooms {
 // Otherwise, all rooms except stairs, water and niches are included.
 std::vector<StoreyOfRooms> storeys_of(const Scene& scene, const navigation::RoomGraph& graph);
 
-// Returns the index in `storeys` of the storey of a room. If the room is on none of them, returns their number.
+// Returns the index in `storeys` of the storey of a room. If the room is on none of these storeys, returns the number
+// of storeys.
 std::size_t storey_of_room(const std::vector<StoreyOfRooms>& storeys, const navigation::RoomGraph& graph,
                            std::uint32_t room);
 

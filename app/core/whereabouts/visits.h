@@ -1,5 +1,6 @@
 // Detects which things a person visits: the person stands still and touches a thing, asks about it or faces it. Each
-// stay at a thing is reported once as ThingVisited. Walls, floors and the like do not count. App thread only.
+// stay at a thing is reported once as ThingVisited. Walls, floors and similar parts of the building are not reported.
+// Use it on the app thread only.
 #pragma once
 
 #include "app/core/context/session_part.h"
@@ -16,8 +17,8 @@ public:
     explicit Visits(const SessionContext& context) : SessionPart(context) {}
 
     void enter_world();
-    // Call it once a tick, after the context has received the state of the hands. `asked_about` is what the person
-    // asked about since the last tick, or kNoFeature.
+    // Reports visits as events. Call it once a tick, after the context has received the state of the hands.
+    // `asked_about` is what the person asked about since the last tick, or kNoFeature.
     void tick(FeatureId asked_about, double now_s);
 
 private:
@@ -26,11 +27,11 @@ private:
     FeatureId faced() const;
 
     Vec3 stands_m_{0.0};
-    // Present heading; time since which place and heading have been unchanged.
+    // The present heading, and the time since which place and heading have been unchanged.
     double stands_rad_ = 0.0, since_s_ = 0.0;
-    bool looked_ = false;  // true: the faced thing has been examined since then
+    bool looked_ = false;  // true: the faced thing has been examined since `since_s_`
     FeatureId last_ = kNoFeature;
-    Vec3 last_m_{0.0};  // place from which the person visited that thing
+    Vec3 last_m_{0.0};  // place from which the person visited the last thing
 };
 
 }  // namespace handrail::core

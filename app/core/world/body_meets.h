@@ -1,4 +1,4 @@
-// Finds what blocks a walker of a given width and height. Pure functions; app thread.
+// Finds what blocks a walker of a given width and height. Pure functions for the app thread.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace handrail::core {
 
-// Returns what the walker bumps into first in that direction, ignoring what it can step over. No value: nothing is
-// within range.
+// Returns what the walker bumps into first in that direction, ignoring what the walker can step over. Returns no value
+// if nothing is within range.
 std::optional<Seen> body_meets(const WalkerWorld& world, const Vec3& feet_m, const WalkerSize& size, double bearing_rad,
                                double range_m = kSightRange_m);
 

@@ -72,8 +72,8 @@ EnteringWorld make_ready(std::shared_ptr<const Scene> scene) {
         feet = scene->starts.front().feet_m;
         heading = scene->starts.front().heading_rad;
     } else if (!scene->bounds_m.empty()) {
-        // The file has no start. The walker starts on the ground in front of the middle of the south side, facing the
-        // building.
+        // If the file has no start, the walker starts on the ground in front of the middle of the south side, facing
+        // the building.
         const Vec3 centre = scene->bounds_m.centre_m();
         feet = Vec3(centre.x, scene->bounds_m.min_m.y - 1.0, scene->bounds_m.min_m.z);
     }

@@ -1,5 +1,5 @@
 // Prepares a world outside the app thread, so that the session can enter it: separates moving things from the building,
-// and makes the solids for walking and the first haptic scene. Pure functions; any thread.
+// and makes the solids for walking and the first haptic scene. Pure functions, which any thread may call.
 #pragma once
 
 #include <memory>
@@ -22,8 +22,8 @@ struct EnteringWorld {
     double heading_rad = 0.0;
     std::unique_ptr<WalkerWorld> body;
     std::shared_ptr<const render::HapticScene>
-        // The scene that the hand feels until the rounded and simplified scene is ready; null: made when the world is
-        // entered.
+        // The scene that the hand feels until the rounded and simplified scene is ready. If it is null, it is made when
+        // the world is entered.
         sharp;
     RoutesKeeper ways;  // stores the routes and rooms of the world for the next start of the program
 };
@@ -32,8 +32,8 @@ struct EnteringWorld {
 EnteringWorld make_ready(std::shared_ptr<const Scene> scene);
 // Prepares a world in which the walker starts at this place and heading.
 EnteringWorld make_ready_at(std::shared_ptr<const Scene> scene, const Vec3& feet_m, double heading_rad);
-// Prepares a world with a haptic scene that the hand can touch at once. Request `stop` from another thread to cancel;
-// `sharp` is then null.
+// Prepares a world with a haptic scene that the hand can touch at once. Another thread may request `stop` to cancel.
+// The member `sharp` is then null.
 EnteringWorld make_ready_to_touch(std::shared_ptr<const Scene> scene, const std::stop_token& stop = {});
 
 }  // namespace handrail::core

@@ -14,9 +14,10 @@ constexpr double kAboveStep_m = 0.01;
 constexpr double kLeastRiser_m = 0.08;
 constexpr double kMostTread_m = 0.9;
 constexpr int kLeastRisers = 3, kMostRisers = 99;
-constexpr double kHeadroom_m = 1.2;  // free height above a step that the examined path needs
+constexpr double kHeadroom_m = 1.2;  // free height that must be above each step of the examined path
 
-// Returns the height of the ground under a point. The search begins a step above `z_m` and ends `depth_m` below it.
+// Returns the height of the ground under a point, or no value if there is none. The search begins a step above `z_m`
+// and ends `depth_m` below it.
 std::optional<double> ground_z(const WalkerWorld& world, double x, double y, double z_m, double step_m,
                                double depth_m) {
     const TraceHit hit = world.trace({x, y, z_m + step_m + kAboveStep_m}, {x, y, z_m - depth_m}, WalkerShape{});
@@ -30,7 +31,7 @@ bool spanned(const WalkerWorld& world, const Vec3& edge_m, const Vec3& way, cons
     const WalkerShape body{rules.body.radius_m, rules.body.height_m};
     const Vec3 high = edge_m + Vec3(0.0, 0.0, 0.02);
     const TraceHit along = world.trace(high, high + way * (rules.body.radius_m + 2.0 * kSample_m), body);
-    if (along.hit) return true;  // an obstacle stops the walker before it can fall
+    if (along.hit) return true;  // An obstacle stops the walker before the walker can fall.
     return world.trace(along.end_m, along.end_m - Vec3(0.0, 0.0, rules.drop_m), body).hit;
 }
 
@@ -61,8 +62,8 @@ GroundAhead ground_ahead(const WalkerWorld& world, const Vec3& feet_m, double be
             if (found.stairs || at > range_m) break;
         }
         const Vec3 before = feet_m + way * (at - kSample_m), here = feet_m + way * at;
-        // This ray is at the height at which ground_z() begins its search. So everything below that the ray does not
-        // hit is found as ground.
+        // This ray is at the height at which ground_z() begins its search. So ground_z() finds everything below the
+        // ray.
         const double eye_z = z + step_m + kAboveStep_m;
         if (world.trace({before.x, before.y, eye_z}, {here.x, here.y, eye_z}, WalkerShape{0.0, kHeadroom_m}).hit) {
             run.whole = false;
@@ -73,12 +74,12 @@ GroundAhead ground_ahead(const WalkerWorld& world, const Vec3& feet_m, double be
         if (rise < -rules.drop_m) {
             const Vec3 edge(before.x, before.y, z);
             if (!spanned(world, edge, way, rules)) {
-                run = {};  // the line has left the stairs at their side, so they do not count
+                run = {};  // The line has left the stairs at their side, so the risers until now are forgotten.
                 if (at <= range_m + kSample_m)
                     found.drop = DropAhead{at - kSample_m, next ? std::optional(-rise) : std::nullopt, edge};
                 break;
             }
-            continue;  // a gap that the walker steps over: the ground continues at the same height
+            continue;  // The ground continues at the same height, so this is a gap that the walker steps over.
         }
         if (std::abs(rise) >= kLeastRiser_m) {
             const bool up = rise > 0.0;

@@ -1,5 +1,5 @@
-// The ground around a walker: stairs, drops and ramps. Pure functions over an immutable world in world metres; app
-// thread. Cost: looking ahead takes two rays for every five centimetres.
+// Examines the ground around a walker: stairs, drops and ramps. Pure functions over an immutable world in world metres,
+// for the app thread. Looking ahead costs two rays for every five centimetres.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,15 @@
 
 namespace handrail::core {
 
-// Limits for a walker of this size. In games, people jump down from heights that would be a fall in a building.
+// Limits for a walker of the size `body`. The limits differ in games, where people jump down from heights that would be
+// a fall in a building.
 struct GroundRules {
     WalkerSize body;
     double drop_m = 0.4;  // a step down of more than this is a drop
 };
 GroundRules ground_rules(const Scene& scene, const WalkerSize& body);
 
-// Stairs ahead: at least three consecutive risers.
+// Stairs ahead of the walker, with at least three consecutive risers.
 struct StairsAhead {
     bool up = true;
     int risers = 0;           // number of risers, as far as they are visible
@@ -39,13 +40,13 @@ struct GroundAhead {
 GroundAhead ground_ahead(const WalkerWorld& world, const Vec3& feet_m, double bearing_rad, const GroundRules& rules,
                          double range_m);
 
-// Returns a value if there is no ground under the walker's centre, and none for the rest of the walker either if it
-// moves on in this direction.
+// Returns a value if there is no ground under the walker's centre. There must also be no ground for the rest of the
+// walker if it moves on in this direction.
 std::optional<DropAhead> over_drop(const WalkerWorld& world, const Vec3& feet_m, double bearing_rad,
                                    const GroundRules& rules);
 
-// Returns how many metres the ground under the walker's centre rises per metre in this direction. 0 if there is no
-// ground.
+// Returns how many metres the ground under the walker's centre rises per metre in this direction. Returns 0 if there is
+// no ground.
 double ground_slope(const WalkerWorld& world, const Vec3& feet_m, double bearing_rad);
 
 // Returns the seconds between two beats of the warning at this distance from the edge. The warning begins at

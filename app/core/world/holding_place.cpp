@@ -9,12 +9,12 @@ namespace handrail::core {
 namespace {
 
 constexpr double kTick_s = 0.05, kLongestFall_s = 30.0;
-constexpr int kGrid = 16;                 // number of places along each side of the world
+constexpr int kGrid = 16;                 // number of tried places along each side of the world
 constexpr std::size_t kMostThings = 400;  // at most this many things whose tops are tried too
 constexpr double kAbove_m = 0.1;
 
-// Returns where a walker comes to rest that falls from this place, as in Walking. No value: it falls out of the world,
-// or slides without end.
+// Returns where a walker comes to rest that falls from this place, as in Walking. Returns no value if the walker falls
+// out of the world, or slides without end.
 std::optional<Vec3> rest_below(const Aabb& bounds_m, const WalkerWorld& world, const WalkerSize& size,
                                const Vec3& from_m) {
     const double lowest_m = bounds_m.min_m.z - kOutOfWorld_m;

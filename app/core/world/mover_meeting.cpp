@@ -9,7 +9,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kOnIt_m = 0.05;  // soles at most this far above a thing count as on it
+constexpr double kOnIt_m = 0.05;  // a walker stands on a thing if its soles are at most this far above the thing
 
 // Makes a world that contains only this thing.
 WalkerWorld alone(const std::shared_ptr<const Scene>& model, const Placement& at) {
@@ -104,7 +104,7 @@ Vec3 carried(const Vec3& point_m, const Placement& from, const Placement& to) {
 Vec3 onto_thing(const Aabb& thing_m, const Vec3& feet_m, double radius_m) {
     Vec3 by{0.0};
     for (int axis = 0; axis < 2; ++axis) {
-        // The walker must be clear of a body that is flush with the edge of the thing.
+        // The walker must be clear of another solid that is flush with the edge of the thing.
         const double clear_m = radius_m + 2.0 * WalkerWorld::kContactGap_m;
         const double low = thing_m.min_m[axis] + clear_m, high = thing_m.max_m[axis] - clear_m;
         if (low <= high) by[axis] = std::clamp(feet_m[axis], low, high) - feet_m[axis];

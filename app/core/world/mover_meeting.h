@@ -1,6 +1,6 @@
-// What a moving thing would meet, and who rides on it. These functions compare one thing with a walker or with another
-// thing, and ignore the rest of the world. Pure functions of plain shapes; any thread. Cost: proportional to the number
-// of solids of these things.
+// Determines what a moving thing would meet, and who rides on it. These functions compare one thing with a walker or
+// with another thing, and ignore the rest of the world. Pure functions of plain shapes, which any thread may call. The
+// cost is proportional to the number of solids of these things.
 #pragma once
 
 #include <memory>
@@ -10,13 +10,13 @@
 
 namespace handrail::core {
 
-// True if a walker at `feet_m` overlaps the thing at `at`. The result is exact, as for walking, if the thing is rotated
-// only about the upright axis. Otherwise, the bounding box of each solid is used.
+// Returns true if a walker at `feet_m` overlaps the thing at `at`. The result is exact, as for walking, if the thing is
+// rotated only about the upright axis. Otherwise, the function uses the bounding box of each solid.
 bool meets_body(const std::shared_ptr<const Scene>& model, const Placement& at, const Vec3& feet_m,
                 const WalkerShape& body);
 
-// True if two things overlap by more than kMeetingDepth_m. If only a plane parallel to an edge of each could separate
-// two solids, they count as overlapping.
+// Returns true if two things overlap by more than kMeetingDepth_m. Two solids may be apart although only a plane
+// parallel to an edge of each of them could separate them. In that case, the function also returns true.
 inline constexpr double kMeetingDepth_m = 1e-3;
 bool things_meet(const Scene& a, const Placement& a_at, const Scene& b, const Placement& b_at);
 
@@ -25,11 +25,11 @@ enum class Riding : std::uint8_t { Not, ByRim, ByMiddle };
 Riding riding(const std::shared_ptr<const Scene>& model, const Placement& at, const Vec3& feet_m,
               const WalkerShape& body);
 
-// Returns where a point of a thing is after the thing has moved.
+// Returns where a point of a thing is after the thing has moved from `from` to `to`.
 Vec3 carried(const Vec3& point_m, const Placement& from, const Placement& to);
 
-// For a walker that stands on a thing with its centre, returns the horizontal shift after which it stands on the thing
-// completely. Zero if it already does, or if it is wider than the thing.
+// For a walker that stands on a thing with its centre, returns the horizontal shift after which the walker stands on
+// the thing completely. Returns zero if the walker already does, or if the walker is wider than the thing.
 Vec3 onto_thing(const Aabb& thing_m, const Vec3& feet_m, double radius_m);
 
 }  // namespace handrail::core

@@ -7,7 +7,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr int kDeepestChain = 8;  // buttons may press other buttons, up to this depth, so that a ring of buttons ends
+constexpr int kDeepestChain = 8;  // A button may press other buttons, up to this depth, so that a ring of buttons ends.
 
 }  // namespace
 
@@ -40,7 +40,8 @@ void MoverPlay::send(std::uint32_t group, bool to_rest) {
         if (movers_[i].group != group || !movers_[i].moves() || parts_[i].held_shut) continue;
         Part& part = parts_[i];
         if (movers_[i].endless()) {
-            if (part.going == to_rest) part.left_s = 0.0;  // it leaves the stop at which it waits
+            // The train or turning part leaves the stop at which it waits.
+            if (part.going == to_rest) part.left_s = 0.0;
             part.going = !to_rest;
             continue;
         }
@@ -73,11 +74,11 @@ void MoverPlay::send_lift(std::uint32_t lift, double part) {
     if (parts_[lift].part == part && parts_[lift].goal == part) return open_doors(lift);
     send(movers_[lift].group, part == rest(lift));
     if (parts_[lift].goal == part) return;
-    parts_[lift].goal = part;  // a halt between the ends
+    parts_[lift].goal = part;  // The goal is a halt between the ends.
     parts_[lift].told = false;
 }
 
-// Returns the next halt above the lift's goal. From the highest halt, it is the lowest one.
+// Returns the next halt above the lift's goal. If the goal is the highest halt, returns the lowest one.
 double MoverPlay::next_halt(std::uint32_t lift) const {
     const std::vector<double>& halts = movers_[lift].halts;
     const auto above =
@@ -150,7 +151,7 @@ bool MoverPlay::any_endless() const {
     return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.going; });
 }
 
-// Sends the whole group back from where it is.
+// Sends the whole group of the mover back from where it is.
 void MoverPlay::turn_back(std::uint32_t mover) {
     const bool goes_out = parts_[mover].goal != rest(mover);
     send(movers_[mover].group, goes_out);
@@ -165,7 +166,7 @@ void MoverPlay::turn_back(std::uint32_t mover) {
 void MoverPlay::tick_ends(std::uint32_t i, double dt_s, const Meets& meets, std::vector<MoverEvent>& events) {
     Part& part = parts_[i];
     const Mover& mover = movers_[i];
-    // The door of a lift shuts as soon as the lift is about to leave. If the door has met somebody, it tries again
+    // The door of a lift shuts as soon as the lift is about to leave. If the door has met a person, it tries again
     // after a pause.
     if (mover.lift != kNoMover && part.goal != rest(i) && !lift_is_at(mover)) {
         part.held_s -= dt_s;

@@ -11,7 +11,7 @@ std::optional<NearestWall> nearest_wall(const WalkerWorld& world, const Vec3& fe
     contract_pre(is_finite(feet_m));
     contract_pre(reach_m > 0.0);
     constexpr int kLooks = 32;
-    constexpr double kUpright = 0.3;  // largest z of the normal of an upright surface
+    constexpr double kUpright = 0.3;  // a surface is upright if the z component of its normal is at most this
     std::optional<NearestWall> nearest;
     const Vec3 eye = feet_m + Vec3(0.0, 0.0, kWaist_m);
     for (int i = 0; i < kLooks; ++i) {

@@ -1,4 +1,4 @@
-// Finds the wall nearest to a walker. A pure function over an immutable world; app thread. Cost: 32 rays.
+// Finds the wall nearest to a walker. A pure function over an immutable world, for the app thread. It costs 32 rays.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@ namespace handrail::core {
 
 struct NearestWall {
     FeatureId feature = kNoFeature;
-    double distance_m = 0.0;   // distance from the walker's centre, at the height of the waist
+    double distance_m = 0.0;   // distance from the walker's centre to the wall, at the height of the waist
     double bearing_rad = 0.0;  // direction perpendicular to the wall
 };
 

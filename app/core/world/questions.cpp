@@ -151,7 +151,7 @@ std::string sides_of_door(const Feature& door, double bearing_rad) {
         const auto found = kSides.find(compass);
         if (found == kSides.end()) return {};
         const double turn = wrap_angle(found->second - bearing_rad);
-        // If the person looks along the leaf, left and right cannot be distinguished.
+        // If the person looks along the leaf, the two sides of the leaf cannot be distinguished as left and right.
         if (std::abs(std::sin(turn)) < 0.3) return {};
         return phrase(turn > 0.0 ? right : left);
     };
@@ -214,7 +214,7 @@ double LookRound::step(int by, const Vec3& feet_m, double heading_rad, std::opti
 std::string scale_bar_words(bool outdoors, const Telling& how, double hand_scale, double workspace_heading_rad) {
     const double bar_m = outdoors ? kBarOutdoors_m : kBarSteps * how.distances.step_length_m;
     const long steps = outdoors ? std::lround(bar_m / how.distances.step_length_m) : kBarSteps;
-    // In compass words, the direction of north would be "north", so it is given as a side.
+    // In compass words, the direction of north would be "north", so it is announced as a side of the person.
     const settings::DirectionChoice choice =
         how.directions == settings::DirectionChoice::Compass ? settings::DirectionChoice::Sides : how.directions;
     const std::string north = direction_words(0.0, how.heading_rad, choice, how.distances.rounded);

@@ -49,8 +49,8 @@ FreeSpace free_space(const WalkerWorld& world, const Vec3& feet_m, double height
 
 namespace {
 
-// Returns the points at which a thing in this box is searched for: its middle, its nearest point, and the middles of
-// its sides. All of them are slightly inside the box.
+// Returns the points of a thing in `box` at which the search tries to see the thing: its middle, its nearest point, and
+// the middles of its sides. All of them are slightly inside the box.
 std::array<Vec3, 8> points_of(const Aabb& box, const Vec3& eye) {
     const Vec3 middle = box.centre_m(), half = 0.5 * box.size_m();
     const auto inside = [&](const Vec3& point) { return middle + (point - middle) * 0.98; };

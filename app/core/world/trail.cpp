@@ -8,9 +8,11 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kSteepest = 0.7;    // a surface with a larger z of the normal is ground, not a wall
+// If the z component of its normal is larger than this, a surface is ground, not a wall.
+constexpr double kSteepest = 0.7;
 constexpr double kFarthest_m = 4.0;  // largest distance at which a wall is searched for
-constexpr double kArm_m = 0.8;  // a wall within this distance on the requested side wins over a nearer wall elsewhere
+// A wall within this distance on the requested side is preferred to a nearer wall elsewhere.
+constexpr double kArm_m = 0.8;
 constexpr double kWallGone_m = 0.35;     // if the wall is farther from the walker's side than this, it has ended
 constexpr double kStep_m = 0.05;         // distance between two probes past an opening
 constexpr double kLeastRecess_m = 0.06;  // if the wall recedes by more than this, there is an opening
@@ -77,8 +79,8 @@ void Trail::turn_round() {
     bridge_m_ = round_m_ = 0.0;
 }
 
-// Names the thing at the walker's side if it is different from the previous one. It may be at any height from a step to
-// the shoulders.
+// Reports the thing at the walker's side if it is different from the previous one. It may be at any height from a step
+// to the shoulders.
 void Trail::name(const WalkerWorld& world, const Vec3& feet_m, const WalkerSize& body,
                  std::vector<TrailEvent>& events) {
     const Vec3 from = above_steps(feet_m, body);
@@ -122,7 +124,7 @@ TrailWay Trail::tick(const WalkerWorld& world, const Vec3& feet_m, double facing
         }
         near_ = true;
     }
-    // 2. Something is ahead: an inner corner of the walls, or a thing at the wall.
+    // 2. Check what is ahead: an inner corner of the walls, or a thing at the wall.
     if (const auto ahead = side_of(world, from, along(), stride + kGap_m, shape)) {
         if (glm::dot(ahead->normal, along()) < -0.2) {
             normal_ = ahead->normal;
@@ -135,7 +137,7 @@ TrailWay Trail::tick(const WalkerWorld& world, const Vec3& feet_m, double facing
         }
     }
     const double off = std::remainder(heading_of(along()) - facing_rad, 2.0 * kPi);
-    if (std::abs(off) > kAlignedRad) return way;  // the walker must turn first
+    if (std::abs(off) > kAlignedRad) return way;  // The walker must turn before it moves.
 
     // 3. Go past an opening.
     if (bridge_m_ > 0.0) {
@@ -167,7 +169,7 @@ TrailWay Trail::tick(const WalkerWorld& world, const Vec3& feet_m, double facing
         }
         return way;
     }
-    // 5. The wall recedes. Examine whether it continues farther on.
+    // 5. If the wall recedes, examine whether it continues farther on.
     for (double further = kStep_m; further <= kWidestOpening_m - 2.0 * body.radius_m; further += kStep_m) {
         if (world.trace(from, from + along() * further, shape).hit) break;
         const auto again = side_of(world, from + along() * further, -normal_, reach, shape);
@@ -187,11 +189,11 @@ TrailWay Trail::tick(const WalkerWorld& world, const Vec3& feet_m, double facing
         way.wish_m_per_s = along() * speed_m_per_s;
         return way;
     }
-    if (beside) {  // the wall recedes into a niche that is too wide to pass, so the walker enters it
+    if (beside) {  // The wall recedes into a niche that is too wide to pass, so the walker enters the niche.
         round_m_ = reach;
         return way;
     }
-    // 6. Go round an outer corner: the end of the wall faces in the direction of movement.
+    // 6. Go round an outer corner. The end of the wall faces in the direction of movement.
     normal_ = along();
     round_m_ = 2.0 * body.radius_m + kWallGone_m + 0.3;
     way.heading_rad = heading_of(along());

@@ -18,11 +18,11 @@ constexpr int kLifts = 25;
 double horizontal_length(const Vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y); }
 
 // A walker that is too wide for its place overlaps solids at its sides, and can walk out of them. But its centre must
-// not be inside the ground. A piece that contains the centre is ignored, so the walker would fall through. Therefore
-// the walker is lifted until its centre is free.
+// not be inside the ground. A piece that contains the centre is ignored, so the walker would fall through the ground.
+// Therefore the walker is lifted until its centre is free.
 Vec3 on_top_of_m(const WalkerWorld& world, const Vec3& feet_m, double height_m) {
     const WalkerShape middle{0.0, height_m};
-    // Slightly above, because ground at the height of the feet carries the walker.
+    // The place is slightly above the feet, because ground at the height of the feet carries the walker.
     const Vec3 above = feet_m + Vec3(0.0, 0.0, 2.0 * WalkerWorld::kContactGap_m);
     for (int i = 0; i <= kLifts; ++i)
         if (const Vec3 lifted = above + Vec3(0.0, 0.0, i * kLift_m); !world.blocked(lifted, middle)) return lifted;
@@ -64,7 +64,7 @@ Walker::Slide Walker::slide(const Vec3& from_m, Vec3 motion_m) const {
         if (hit.normal.z < kWalkableNormalZ && !result.first_wall) result.first_wall = hit;
         normals[met++] = hit.normal;
         Vec3 rest = motion_m * (1.0 - hit.fraction);
-        // The remaining motion must not lead into any surface met before. First tries motion along one surface, then
+        // The remaining motion must not lead into any surface met before. First try motion along one surface, then
         // along the edge between two surfaces, then no motion.
         Vec3 clipped{0.0};
         bool found = false;
@@ -117,9 +117,9 @@ WalkResult Walker::tick(const Vec3& wish_m_per_s, double dt_s) {
 
     Slide way = slide(start, motion);
     if (stood && way.first_wall && wished > 0.0) {
-        // Tries to go one step up, forward, and down again. Keeps the result if it leads farther and ends on walkable
-        // ground. Under a low lintel, a high step would push the head into the lintel, so lower steps are tried after
-        // that.
+        // Tries to go one step up, forward, and down again. Stores the result if it leads farther and ends on walkable
+        // ground. Under a low lintel, a high step would push the head into the lintel, so the function tries lower
+        // steps after that.
         const bool stairs = world_.is_stairs(way.first_wall->piece) || stands_on_stairs(start);
         const double step_m = stairs ? StairRule::step_m(size_.step_up_m) : size_.step_up_m;
         for (const double part : {1.0, 0.75, 0.5, 0.25, 0.1}) {
@@ -154,8 +154,8 @@ WalkResult Walker::tick(const Vec3& wish_m_per_s, double dt_s) {
     const bool carries = ground.hit && ground.normal.z >= kWalkableNormalZ;
     if (carries && state_.fall_speed_m_per_s >= 0.0) {
         state_.feet_m = ground.end_m;
-        // The surface under the walker's centre gives the ground its name. At a border between two surfaces, the
-        // eastern or northern one counts (see WalkerWorld::trace).
+        // The surface under the walker's centre gives the ground its name. At a border between two surfaces, it is the
+        // eastern or northern one (see WalkerWorld::trace).
         const TraceHit under = world_.trace(state_.feet_m + Vec3(0.0, 0.0, 0.05), state_.feet_m - Vec3(0.0, 0.0, 0.05),
                                             WalkerShape{}, true);
         result.ground = under.hit ? under.feature : ground.feature;

@@ -1,6 +1,6 @@
-// The body of the walker: gravity, steps, stairs, slopes and collisions. Plain state and one tick; app thread. It uses
-// the same solids that the hand feels. The method is that of walking games since the 1990s: trace the motion, clip the
-// rest of it to the surface, try again one step higher, and keep the better result.
+// Moves the body of the walker: gravity, steps, stairs, slopes and collisions. Plain state and one tick, for the app
+// thread. It uses the same solids that the hand feels. The method is that of walking games since the 1990s: trace the
+// motion, clip the rest of the motion to the surface, try again one step higher, and choose the better result.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@ namespace handrail::core {
 
 struct WalkerSize {
     double radius_m = 0.25;
-    double height_m = 1.8;    // 1.7 in maps of games
-    double step_up_m = 0.25;  // 0.57 in maps of games
+    double height_m = 1.8;    // body height; 1.7 in maps of games
+    double step_up_m = 0.25;  // height of the highest step that the walker climbs; 0.57 in maps of games
     double eye_height_m = 1.65;
 };
 // Returns the size of a walker for a building or a game, with the radius that the person has set.
@@ -32,7 +32,7 @@ struct WalkResult {
     std::optional<TraceHit> bump;   // the surface that stopped most of the intended motion
     double climbed_m = 0.0;         // height that the walker has gained by steps up
     bool landed = false;            // true: the walker touched the ground after a fall of more than one step
-    double fell_m = 0.0;            // height of that fall
+    double fell_m = 0.0;            // height of the fall after which the walker landed
     FeatureId ground = kNoFeature;  // feature on which the walker stands
     MaterialId ground_material = kDefaultMaterial;
 };
@@ -41,10 +41,10 @@ class Walker {
 public:
     Walker(const WalkerWorld& world, WalkerSize size) : world_(world), size_(size) {}
 
-    // Places the walker at `feet_m`, or as near above it as there is room (at most half a metre), and lets it fall to
-    // the ground.
+    // Places the walker at `feet_m`, or as near above it as there is room (at most half a metre), and lets the walker
+    // fall to the ground.
     void place(const Vec3& feet_m);
-    // Takes over the state of another walker, whether it stands or falls.
+    // Copies the state of another walker, whether that walker stands or falls.
     void resume(const WalkerMotion& state) {
         state_ = state;
         fall_from_z_ = state.feet_m.z;

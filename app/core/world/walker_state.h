@@ -1,4 +1,4 @@
-// The walker: its position, direction and path. Plain state; app thread only.
+// Stores the state of the walker: its position, direction and path. Plain state for the app thread only.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,8 @@ struct WalkerState {
     std::unique_ptr<Walker> walker;  // null: no world has been entered
     double heading_rad = 0.0;        // present direction of the walker
     int times_put = 0;               // how often the walker was placed elsewhere instead of walking
-    // Direction after the present turn. heading_rad approaches it at a limited rate, so that the hand is not thrown.
+    // Direction after the present turn. `heading_rad` approaches it at a limited rate, so that the turn does not throw
+    // the hand.
     double heading_goal_rad = 0.0;
     FeatureId ground = kNoFeature;  // feature on which the walker stands
     // The walker's path since it was last placed: points a quarter of a metre apart, the newest last.

@@ -11,7 +11,8 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kAlong_m = 1e-7;  // an approach to a surface by less than this is a rounding error of sliding along it
+// If a body approaches a surface by less than this, the approach is a rounding error of sliding along the surface.
+constexpr double kAlong_m = 1e-7;
 constexpr double kSameDepth_m = 1e-9;  // faces whose distances differ by less than this are equally near
 
 // Returns how far to move a plane outwards, so that the body's reference point meets it exactly when the body meets the
@@ -27,7 +28,8 @@ WalkerShape next_to(bool narrow, const WalkerShape& body) {
     return narrow ? WalkerShape{StairRule::reach_m(body.radius_m), StairRule::height_m(body.height_m)} : body;
 }
 
-// True if piece `a` comes before piece `b` in the order of all pieces, which is by box, and for equal boxes by number.
+// Returns true if piece `a` comes before piece `b` in the order of all pieces. The order is by box, and for equal boxes
+// by number.
 bool comes_before(const Aabb& a, std::uint32_t number_a, const Aabb& b, std::uint32_t number_b) {
     if (a.min_m.x != b.min_m.x) return a.min_m.x < b.min_m.x;
     if (a.min_m.y != b.min_m.y) return a.min_m.y < b.min_m.y;
@@ -125,8 +127,8 @@ void WalkerWorld::set_down(std::span<const Placement> placed, const WalkerWorld*
     placed_.arrange();
 }
 
-// If a body meets several pieces at once, the last of them counts. So the result depends on the order of the pieces,
-// which must not depend on the tree.
+// If a body meets several pieces at once, the last of them is reported. So the result depends on the order of the
+// pieces, which must not depend on the tree.
 void WalkerWorld::Pieces::arrange() {
     std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
         return a.bounds_m.min_m.x != b.bounds_m.min_m.x ? a.bounds_m.min_m.x < b.bounds_m.min_m.x
@@ -185,7 +187,7 @@ void WalkerWorld::Pieces::add_scene(const Scene& scene, const PlacedFrame* frame
         const Vec3 corners[3] = {at(t.a_m), at(t.b_m), at(t.c_m)};
         const Vec3 area = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         const double length = glm::length(area);
-        if (!(length > 0.0)) continue;  // a triangle without area: there is nothing to bump into
+        if (!(length > 0.0)) continue;  // A triangle without area has nothing to bump into.
         const Vec3 n = area / length;
         of_piece.clear();
         of_piece.push_back({Plane{n, glm::dot(n, corners[0])}, 0});
@@ -246,9 +248,9 @@ TraceHit WalkerWorld::trace(const Vec3& from_m, const Vec3& to_m, const WalkerSh
     const Piece* met = nullptr;
     std::int32_t met_face = -1;
     std::uint32_t number = 0;  // number of the first piece in `some`
-    // True if a body that overlaps the piece from the start would move farther into it. The face with the shortest way
-    // out decides. If several faces are equally near, the one from which the path leads away most decides. Vertical
-    // movement is always permitted, because otherwise an overlapping piece would keep the body above the ground.
+    // Returns true if a body that overlaps the piece from the start would move farther into it. The face with the
+    // shortest way out decides. If several faces are equally near, the one from which the path leads away most decides.
+    // Vertical movement is always permitted. Otherwise an overlapping piece would keep the body above the ground.
     const Vec3 level_step(step.x, step.y, 0.0);
     const auto goes_deeper = [&](const Pieces& some, const Piece& piece, const WalkerShape& body_there, Vec3& normal,
                                  std::int32_t& face) {
@@ -286,11 +288,12 @@ TraceHit WalkerWorld::trace(const Vec3& from_m, const Vec3& to_m, const WalkerSh
             const double d0 = signed_distance(bound.plane, from_m) - grow;
             const double d1 = signed_distance(bound.plane, to_m) - grow;
             if (d0 > 0.0) starts_outside = true;
-            if (d0 > 0.0 && d1 > 0.0 && d1 >= d0 - kAlong_m) return;  // outside this plane, and not approaching it
-            if (d0 <= 0.0 && d1 <= 0.0) continue;                     // inside this plane at both ends
-            if (d0 > d1) {  // enters through this plane: stop slightly before it
+            // The path is outside this plane and does not approach it.
+            if (d0 > 0.0 && d1 > 0.0 && d1 >= d0 - kAlong_m) return;
+            if (d0 <= 0.0 && d1 <= 0.0) continue;  // The path is inside this plane at both ends.
+            if (d0 > d1) {  // The path enters through this plane. Stop slightly before the plane.
                 const double t = std::max(0.0, (d0 - kContactGap_m) / (d0 - d1));
-                if (d1 > kContactGap_m) return;  // stops before it reaches the plane
+                if (d1 > kContactGap_m) return;  // The path ends before it reaches the plane.
                 if (t > enter) {
                     enter = t;
                     enter_normal = bound.plane.normal;
@@ -305,7 +308,8 @@ TraceHit WalkerWorld::trace(const Vec3& from_m, const Vec3& to_m, const WalkerSh
             enter = 0.0;
         }
         if (enter < 0.0 || enter > leave || enter > best.fraction) return;
-        // If several pieces are met at once, the last one counts: the eastern, then the northern, then a placed thing.
+        // If several pieces are met at once, the last one is reported: the eastern, then the northern, then a placed
+        // thing.
         if (met && enter == best.fraction && comes_before(piece.bounds_m, number + i, met->bounds_m, best.piece))
             return;
         best.fraction = reach = enter;
@@ -315,7 +319,7 @@ TraceHit WalkerWorld::trace(const Vec3& from_m, const Vec3& to_m, const WalkerSh
         met = &piece;
         met_face = enter_face;
     };
-    // Larger than any rounding error of an entry point, so that no piece before the hit is excluded.
+    // This slack is larger than any rounding error of an entry point, so that no piece before the hit is excluded.
     constexpr double kSlack_m = 1e-3;
     const Vec3 low(body.radius_m + kSlack_m, body.radius_m + kSlack_m, body.height_m + kSlack_m);
     const Vec3 high(body.radius_m + kSlack_m, body.radius_m + kSlack_m, kSlack_m);
@@ -427,10 +431,10 @@ std::vector<FeatureId> WalkerWorld::volumes_at(const Vec3& feet_m, double height
     return found;
 }
 
-// Suppose a convex piece crosses the lines from the eye to all corners of a box. Then it also crosses every line into
-// the box, no later than where that line ends. This is because a weighted mean of the crossing points on the corner
-// lines is on that line. If the piece is apart from the box, it is crossed before anything inside the box. The test
-// uses a slightly smaller piece, so that a trace cannot miss the piece by rounding.
+// Suppose a convex piece crosses the lines from the eye to all corners of a box. Then the piece also crosses every line
+// into the box, no later than where that line ends. The reason is that a weighted mean of the crossing points on the
+// corner lines is on that line. If the piece is apart from the box, such a line meets the piece before anything inside
+// the box. The test uses a slightly smaller piece, so that a trace cannot miss the piece by rounding.
 bool WalkerWorld::hides(std::uint32_t number, const Vec3& eye_m, const Aabb& box) const {
     constexpr double kDrawnIn_m = 2e-3, kApart_m = 1e-2;
     const Piece& one = piece(number);

@@ -1,8 +1,8 @@
-// The solids that a walker bumps into: the scene as convex pieces, swept by an upright cylinder or a point. Immutable
-// after construction; any thread. A trace is exact: a moving point is tested against the Minkowski sum of the body and
-// each convex piece, so a body cannot pass through a thin piece at any speed. It examines only pieces whose box the
-// path crosses before the first hit. The fixed part of a building is made once, and worlds that differ only in the
-// positions of things share it.
+// Defines the solids that a walker bumps into. The scene consists of convex pieces, against which an upright cylinder
+// or a point is swept. The object is immutable after construction, so any thread may use it. A trace is exact: a moving
+// point is tested against the Minkowski sum of the body and each convex piece, so a body cannot pass through a thin
+// piece at any speed. A trace examines only pieces whose box the path crosses before the first hit. The fixed part of a
+// building is made once, and worlds that differ only in the positions of things share it.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct WalkerShape {
 };
 
 struct TraceHit {
-    double fraction = 1.0;  // share of the path until the hit; 1 if nothing was met
+    double fraction = 1.0;  // share of the path until the hit; 1: nothing was met
     Vec3 end_m{0.0};        // position of the reference point at the stop, kContactGap_m before the surface
     Vec3 normal{0.0};       // normal of the surface that was met
     FeatureId feature = kNoFeature;
@@ -32,15 +32,15 @@ struct TraceHit {
     std::uint32_t piece = 0xFFFFFFFFU;  // the piece that was met, for WalkerWorld::hides()
 };
 
-// A part of a straight line that is inside a solid. Distances are from the start of the line.
+// A part of a straight line that is inside a solid. The distances are from the start of the line.
 struct Crossing {
     double enter_m = 0.0, leave_m = 0.0;
     FeatureId feature = kNoFeature;
     MaterialId material = kDefaultMaterial;
 };
 
-// True for features that the answer to "what is around" may name: doors, landmarks, clues, liquids and things, but not
-// bare walls.
+// Returns true for features that the answer to "what is around" may name: doors, landmarks, clues, liquids and things,
+// but not bare walls.
 bool told_when_seen(const Feature& feature);
 
 class WalkerWorld {
@@ -49,8 +49,8 @@ public:
     // scene.
     explicit WalkerWorld(std::shared_ptr<const Scene> scene, std::span<const Placement> placed = {});
     // Makes the same building with its things elsewhere, or with other things. `scene` has the same solids and
-    // triangles as the previous scene. The pieces of things that have not moved are reused, so the cost depends on how
-    // many have moved.
+    // triangles as the scene of `before`. The pieces of things that have not moved are reused, so the cost depends on
+    // the number of moved things.
     WalkerWorld(const WalkerWorld& before, std::shared_ptr<const Scene> scene, std::span<const Placement> placed = {});
 
     const Scene& scene() const { return *scene_; }
@@ -65,19 +65,22 @@ public:
     // Returns all solids on a straight line, in no particular order. Solids that stop only bodies, and solids that
     // contain one of the ends, are left out.
     std::vector<Crossing> crossings(const Vec3& from_m, const Vec3& to_m) const;
-    // True if this piece (TraceHit::piece) is part of stairs, on which a walker climbs steps of StairRule::step_m().
+    // Returns true if this piece (TraceHit::piece) is part of stairs, on which a walker climbs steps of
+    // StairRule::step_m().
     bool is_stairs(std::uint32_t piece) const;
     bool has_stairs() const { return building_->stairs.any(); }
-    // True if a solid overlaps a body at this place.
+    // Returns true if a solid overlaps a body at this place.
     bool blocked(const Vec3& feet_m, const WalkerShape& body) const;
     // Returns the volumes of this role (Liquid, Trigger, Teleport) that the upright line from `feet_m` to `height_m`
     // above it crosses, as feature ids in the order of the file.
     std::vector<FeatureId> volumes_at(const Vec3& feet_m, double height_m, SolidRole role) const;
 
-    // True if this piece alone (TraceHit::piece) hides the whole box from the eye. A true result is never wrong: every
-    // line of sight into the box meets the piece before anything in the box.
+    // Returns true if this piece alone (TraceHit::piece) hides the whole box from the eye. If the result is true, every
+    // line of sight into the box meets the piece before anything in the box. The result may be false although the piece
+    // hides the box.
     bool hides(std::uint32_t piece, const Vec3& eye_m, const Aabb& box) const;
-    // Fixed features that may be announced when they are in sight. Each has the box of everything with its name.
+    // Fixed features that may be announced when they are in sight. Each feature has the box of everything with the name
+    // of that feature.
     struct Sights {
         std::vector<FeatureId> features;
         std::vector<Aabb> boxes;
@@ -97,7 +100,7 @@ private:
         std::uint32_t first_plane = 0, plane_count = 0;
         Aabb bounds_m;
         bool clip_only = false;
-        bool narrow = false;      // true: handled as part of stairs; see StairRule
+        bool narrow = false;      // true: the piece is part of stairs; StairRule explains how a walker meets it
         std::uint32_t solid = 0;  // index in Scene::solids, or in its triangles if `triangle`
         bool triangle = false;
         std::int32_t placed = -1;  // index in Scene::placed of the thing that gives the name; -1: part of the building
@@ -121,11 +124,11 @@ private:
         std::vector<std::uint32_t> volumes;  // indices in Scene::solids of volumes that a walker can be in
         Sights sights;
     };
-    // A placed thing at its position. The plane numbers of its pieces start from zero.
+    // A placed thing at its position. The numbers of the planes of its pieces start from zero.
     struct Thing {
         std::shared_ptr<const Scene> model;
         Placement at;
-        Pieces pieces;  // have no tree
+        Pieces pieces;  // pieces of the thing; they have no tree
         Aabb box_m;
     };
     static std::shared_ptr<const Building> built(const Scene& scene);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kDirections = 16;
 constexpr double kRange_m = 2.0;
-constexpr double kLow_m = 0.3;        // height of the rays, below window sills, boards and table tops
+constexpr double kLow_m = 0.3;        // height of the rays above the soles, below window sills, boards and table tops
 constexpr double kUprightFace = 0.3;  // largest z of the normal of an upright face
 constexpr double kSameWay = 0.995;    // least cosine of the angle between the normals of two pieces of one wall
 constexpr double kSameLine_m = 0.08;  // largest distance between two pieces of one wall, across the wall
@@ -35,14 +35,14 @@ bool is_a(const WalkerWorld& world, const TraceHit& hit, FeatureKind kind) {
            world.scene().features[hit.feature.value].kind == kind;
 }
 
-// True if the space between the hit face and a wall behind it is so small that nobody walks there.
+// Returns true if the space between the hit face and a wall behind it is so small that nobody walks there.
 bool lines_a_wall(const WalkerWorld& world, const TraceHit& hit, const Vec3& ahead) {
     const TraceHit behind =
         world.trace(hit.end_m + ahead * kInside_m, hit.end_m + ahead * kLines_m, WalkerShape{}, true);
     return is_a(world, behind, FeatureKind::Wall);
 }
 
-// True if the hit thing is upright, thin, wide and tall, such as a pane, a door leaf or a screen.
+// Returns true if the hit thing is upright, thin, wide and tall, such as a pane, a door leaf or a screen.
 bool is_a_pane(const WalkerWorld& world, const TraceHit& hit) {
     const Vec3 size = world.scene().features[hit.feature.value].bounds_m.size_m();
     if (std::max(size.x, size.y) < kPaneWide_m || size.z < kPaneTall_m) return false;
@@ -74,8 +74,8 @@ public:
           foot_m_(at_m - out_ * away_m_) {}
 
     double away_m() const { return away_m_; }
-    // Returns the position of a piece along this line, from the walker's foot point. No value if the piece belongs to
-    // another wall.
+    // Returns the position of a piece along this line, from the walker's foot point. Returns no value if the piece
+    // belongs to another wall.
     std::optional<double> place_of(const Met& piece) const {
         const Vec3 off = piece.at_m - foot_m_;
         if (glm::dot(piece.out, out_) < kSameWay || std::abs(glm::dot(off, out_)) > kSameLine_m) return std::nullopt;
@@ -90,7 +90,7 @@ private:
     Vec3 foot_m_;
 };
 
-// True if pieces of the wall are on both sides of the foot point, and not too far apart.
+// Returns true if pieces of the wall are on both sides of the foot point, and not too far apart.
 bool goes_past(const WalkerWorld& world, const Vec3& eye_m, const WallLine& wall, const std::vector<Met>& pieces) {
     double before_m = -1e9, behind_m = 1e9;  // positions of the nearest pieces on either side
     for (const Met& piece : pieces)

@@ -1,5 +1,6 @@
-// How near a walker is to a wall. The distance is measured to the line of the wall, as a person with a cane would
-// follow it, whatever stands along that line. A pure function over an immutable world; app thread; some 40 rays.
+// Measures how near a walker is to a wall. The distance is to the line of the wall, as a person with a cane would
+// follow it, whatever stands along that line. A pure function over an immutable world, for the app thread. It costs
+// some 40 rays.
 #pragma once
 
 #include "app/core/world/walker_world.h"
@@ -11,8 +12,9 @@ namespace handrail::core {
 //   a board.
 // - Furniture so near to a wall that nobody can walk between them is part of the wall. Following a bookshelf is like
 //   following the wall behind it.
-// - A pane or door leaf with nothing behind it counts as 0.2 m back in its wall, which is the usual depth. If a piece
-//   of wall next to it gives the true depth, that is used.
+// - A pane or door leaf with nothing behind it is assumed to be 0.2 m back in its wall, which is the usual depth. If
+//   a
+//   piece of wall next to it shows the true depth, that depth is used.
 inline constexpr double kWallGoesOn_m = 2.5;
 double wall_beside_m(const WalkerWorld& world, const Vec3& feet_m);
 

@@ -13,7 +13,7 @@ ThingsNow things_now(const WorldState& world) {
 Scene with_things(const Scene& scene, const ThingsNow& now) {
     Scene world = scene;
     for (std::size_t i = 0; i < now.things.size(); ++i) move_placed(world, i, now.things[i]);
-    // An open door can still be found at its doorway, wherever its leaf is.
+    // The bounds of a door also include its leaf at rest, so that an open door can still be found at its doorway.
     for (std::uint32_t i = 0; i < world.movers.size(); ++i) {
         Feature& feature = world.features[world.movers[i].feature.value];
         if (feature.kind == FeatureKind::Door && now.thing_of_mover[i] >= 0)
@@ -25,7 +25,7 @@ Scene with_things(const Scene& scene, const ThingsNow& now) {
 
 void rebuild_solids(WorldState& world, WalkerState& body) {
     const WalkerMotion stood = body.walker->state();
-    // The size stays the same, because a larger walker might be inside a wall.
+    // The walker keeps its size, because a larger walker might be inside a wall.
     const WalkerSize size = body.walker->size();
     body.walker.reset();
     world.solids = std::make_unique<WalkerWorld>(*world.solids, world.scene, world.things.all());

@@ -1,5 +1,5 @@
-// Computes the world with its things at their present positions, and rebuilds the solids for walking from it. Functions
-// of plain state; app thread, except with_things(), which any thread may call.
+// Computes the world with its things at their present positions, and rebuilds the solids for walking from that world.
+// Functions of plain state for the app thread. Any thread may call with_things().
 #pragma once
 
 #include <vector>

@@ -8,7 +8,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kShut = 0.5;  // share of the path of a door; a door that is open by less than this counts as shut
+constexpr double kShut = 0.5;  // share of the path of a door; a door that is open by less than this is shut
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// The present state of the world that the person is in. Plain state; app thread only.
+// Stores the present state of the world that the person is in. Plain state for the app thread only.
 #pragma once
 
 #include <memory>
@@ -28,13 +28,13 @@ struct WorldState {
 
 // ---- present state of doors, lifts and buttons ----
 
-// True for a mover that moves to and fro, or that at least sets other movers going, because some buttons are too flat
-// to move.
+// Returns true for a mover that moves to and fro. Some buttons are too flat to move, so the result is also true for a
+// mover that only sets other movers going.
 bool usable(const WorldState& world, std::size_t mover);
-// Returns the usable mover of this feature, or -1.
+// Returns the index of the usable mover of this feature, or -1.
 int mover_of(const WorldState& world, FeatureId feature);
-// True for a door that opens neither by hand nor automatically when a person comes near. A button opens it, or a volume
-// that a person enters.
+// Returns true for a door that opens neither by hand nor automatically when a person comes near. A button opens such a
+// door, or a volume that a person enters.
 bool locked(const WorldState& world, std::uint32_t mover);
 bool shut(const WorldState& world, std::uint32_t mover);
 // Returns the button that opens this door by hand and is nearest to `from_m`, if there is one.
