@@ -1,5 +1,5 @@
-// How the session explains actions: by words for a person who types, by keys for a person who presses keys. If there is
-// no device, it does not mention force. Soft things are named in the same way as hard ones.
+// Tests how the session explains actions: by words for a person who types, by keys for a person who presses keys. If
+// there is no device, the session does not mention force. It announces soft things in the same way as hard things.
 #include "tests/support/map_text.h"
 #include "tests/support/names.h"
 #include "tests/unit/core/app_session.h"
@@ -77,8 +77,8 @@ TEST(WhatGivesWay, is_announced_while_it_is_pressed) {
         test::Explorer person(std::make_shared<const Scene>(std::move(*scene)), "sim-t");
         person.tap(Command::ScaleDetail, 1.5);
         const double ground_m = 20.0 / 32.0;
-        // Moves the hand down onto the thing, a millimetre at a time, until the thing pushes back although the hand
-        // touches nothing hard.
+        // Moves the hand down onto the soft thing, a millimetre at a time, until the thing pushes back although the
+        // hand touches nothing hard.
         bool pressed = false;
         person.hold({0.0, 0.04, 0.0});
         person.tap(Command::ScaleRoom, 1.5);

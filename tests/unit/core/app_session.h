@@ -1,5 +1,5 @@
-// A session without servo and speech, and the person who uses it: what they press and type, and what the session would
-// say. For tests of what the session does and says.
+// Runs a session without servo and speech, together with the person who uses it: what they press and type, and what the
+// session would say. Tests use it to check what the session does and says.
 #pragma once
 
 #include <fmt/ranges.h>
@@ -62,17 +62,17 @@ struct AppSession {
         run(seconds);
         app.apply(CommandUp{command}, now);
     }
-    // Presses and releases the key of a command, and then waits for the effect.
+    // Presses and releases the key of a command, and then waits for `then_s`.
     void tap(Command command, double then_s = 0.1) {
         hold(command, 0.05);
         run(then_s);
     }
-    // Walks straight on for this time, then waits until the walker stands.
+    // Walks straight on for this many seconds, then waits until the walker stands.
     void walk(double seconds) {
         hold(Command::Forward, seconds);
         run(0.2);
     }
-    // Answers the open list or question with a line, as a terminal does.
+    // Sends a line to the open list or question, as a terminal does.
     std::string line(const std::string& text) {
         EXPECT_TRUE(app.apply(LineTyped{text}, now)) << text;
         listen();
@@ -93,8 +93,8 @@ struct AppSession {
     double now = 0.0;
     std::vector<std::string> said;
     std::vector<SoundKind> sounds;
-    std::vector<CueRequest> world_sounds;  // as the cue planner received them, the newest last
-    std::vector<FeatureId> bumped;         // what the walker bumped into
+    std::vector<CueRequest> world_sounds;  // sounds of the world as the cue planner received them, the newest last
+    std::vector<FeatureId> bumped;         // features that the walker bumped into
 };
 
 }  // namespace handrail::test

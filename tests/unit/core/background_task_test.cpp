@@ -1,5 +1,5 @@
-// Background tasks: only the task that was begun last counts, a cancelled task ends soon, and no task outlives its
-// owner.
+// Tests background tasks: only the result of the task that was begun last is used, a cancelled task ends soon, and no
+// task outlives its owner.
 #include "worlds/base/background_task.h"
 #include "tests/support/child_process.h"
 

@@ -1,5 +1,6 @@
-// Limits the number of words in an answer, in every room of the house and the school. Place and exits come first, and
-// more follows only if the person asks again. Also checks that "ahead" names what the walker would bump into.
+// Tests that answers have a limited number of words, in every room of the house and the school. Place and exits come
+// first, and more follows only if the person asks again. The tests also check that "ahead" names what the walker would
+// bump into.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -44,7 +45,7 @@ void in_every_room(const char* world, Each each) {
     AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world(world))}, 0.0);
     s.run(0.1);
-    s.ask(Command::Exits);  // the answer waits until the rooms are known
+    s.ask(Command::Exits);  // The answer waits until the rooms are known.
     s.ask(Command::PlanView);
     s.run(0.1);
     const auto rooms = s.app.view({}, {}).rooms;

@@ -1,5 +1,5 @@
-// The house and the school as places to learn: every door leads from one room to another, every room has a landmark,
-// and the walker cannot leave the grounds.
+// Tests that the house and the school can be learnt: every door leads from one room to another, every room has a
+// landmark, and the walker cannot leave the grounds.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -64,7 +64,7 @@ TEST_P(BundledPlaces, every_door_leads_on_and_every_room_has_a_landmark) {
         const auto stands_in = [&](const Feature& feature) {
             if (!feature.landmark || feature.kind == FeatureKind::Door || feature.bounds_m.empty()) return false;
             if (feature.bounds_m.min_m.z > room.origin_m.z + 2.5 || feature.bounds_m.max_m.z < room.origin_m.z - 0.3)
-                return false;  // the landmark is on another storey; stairs may end a riser below the floor
+                return false;  // Skip a landmark on another storey. Stairs may end a riser below the floor.
             for (int y = 0; y < room.deep; ++y)
                 for (int x = 0; x < room.wide; ++x) {
                     if (!room.is_free(x, y)) continue;

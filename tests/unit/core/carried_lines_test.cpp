@@ -1,4 +1,4 @@
-// The effect of a typed line while a list is open, in a session on a virtual clock.
+// Tests the effect of a typed line while a list is open, in a session on a virtual clock.
 #include "app/core/session/carried_lines.h"
 
 #include "app/core/session/headless_session.h"
@@ -50,7 +50,7 @@ TEST_F(CarriedLinesInTheHouse, are_commands_if_the_open_list_has_no_use_for_them
         EXPECT_NE(said.find("orth"), std::string::npos) << list << ": " << said;
         EXPECT_FALSE(list_is_open()) << list;
         type("right 1");
-        // A whole sentence works like the word of a command.
+        // A whole sentence has the same effect as the word of a command.
         type(list);
         EXPECT_NE(type("turn left three times").find("West"), std::string::npos) << list;
         EXPECT_FALSE(list_is_open()) << list;

@@ -1,4 +1,5 @@
-// Stairs on which the walker cannot walk: the session announces them at their ends, and the Use key climbs them.
+// Tests stairs on which the walker cannot walk: the session announces these stairs at their ends, and the Use key
+// climbs them.
 #include <gmock/gmock.h>
 
 #include "tests/support/names.h"
@@ -14,7 +15,7 @@ using testing::Not;
 struct Visit : test::AppSession {
     Visit() {
         app.apply(WorldEntered{make_ready(test::hall_with_narrow_stairs())}, 0.0);
-        ask(Command::Exits);  // the answer waits until the rooms are known
+        ask(Command::Exits);  // The answer waits until the rooms are known.
     }
     // Goes through the door into the stairwell.
     void go_in() {

@@ -19,7 +19,7 @@ TEST(CommandTable, lists_every_command_once_in_order) {
     }
 }
 
-// The keys of the demonstration of the original program keep their meanings for ever.
+// The keys of the demonstration of the plugin that preceded Handrail keep their meanings for ever.
 TEST(KeyMap, keeps_the_key_bindings_of_the_original_program) {
     const KeyMap keys({});
     const std::map<std::string, Command> original{{"Left", Command::TurnLeft},  {"Right", Command::TurnRight},

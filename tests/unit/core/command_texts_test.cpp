@@ -1,5 +1,5 @@
-// Every command and every key has texts in every language, but the command words for scripts are the same in every
-// language.
+// Tests that every command and every key has texts in every language, and that the command words for scripts are the
+// same in every language.
 #include <gmock/gmock.h>
 
 #include <map>

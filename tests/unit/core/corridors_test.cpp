@@ -11,8 +11,8 @@
 namespace handrail {
 namespace corridors_test {
 
-// Examines every rectangle of free cells. Takes the largest one, and of several equal ones the first by row and column,
-// until no cell is left.
+// Examines every rectangle of free cells. Removes the largest rectangle, and among equal ones the first by row and
+// column, until no cell is left.
 std::vector<CellStrip> all_looked_at(std::vector<bool> free, int width, int depth) {
     std::vector<CellStrip> strips;
     const auto all_free = [&](const CellStrip& s) {
@@ -99,7 +99,7 @@ TEST(Corridors, of_the_bundled_labyrinths_are_mutually_connected_and_the_ball_st
             return std::hypot(near.x - goal.x, near.y - goal.y) < 0.1;
         }));
     }
-    // Fails, because there is no floor on which to roll.
+    // There is no floor on which the ball could roll, so the function fails.
     EXPECT_FALSE(corridors_of(Scene{}, Vec3(0.0), 0.05));
 }
 

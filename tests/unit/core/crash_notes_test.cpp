@@ -1,4 +1,4 @@
-// The report of a crash: what it contains, what it must never contain, and where its file is.
+// Tests the report of a crash: what it contains, what it must never contain, and where its file is.
 #include "app/core/kept/crash_notes.h"
 
 #include <gmock/gmock.h>
@@ -59,7 +59,7 @@ std::vector<fs::path> reports_beside(const fs::path& sessions) {
     return found;
 }
 
-// Runs a session that writes this text to its report and is then killed.
+// Runs a session that writes `text` to its report and is then killed.
 void die_with(const fs::path& sessions, const std::string& text, const std::string& signal) {
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);

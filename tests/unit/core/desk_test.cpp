@@ -1,4 +1,4 @@
-// The desk: where its controls are, and that hand and keys change all of them in the same way.
+// Tests the desk: where its controls are, and that hand and keys change all of them in the same way.
 #include "app/core/desk/desk.h"
 
 #include <fmt/format.h>
@@ -75,8 +75,8 @@ public:
         const DeskKind kind = app().desk_visit().desk().controls()[*app().desk_visit().desk().find(name)].kind;
         const bool knob = kind == DeskKind::Knob,
                    list = kind == DeskKind::List;  // touched next to the post of the knob or the notch of the list
-        // A slider with an even number of positions has a ridge in its middle, where the press would be deeper. So it
-        // is touched next to the ridge.
+        // A slider with an even number of positions has a ridge in its middle, which makes a press there deeper. So the
+        // hand touches the slider next to the ridge.
         double across = 0.0;
         if (kind == DeskKind::Slider) {
             const DeskGrid grid = desk_grid(spec());
@@ -161,8 +161,8 @@ TEST(DeskPanel, the_hand_feels_a_detent_for_each_position_of_sliders_and_knobs) 
 }
 
 TEST(DeskPanel, a_control_has_the_same_number_on_every_page) {
-    // If the number changed while a control is pressed and the page turns, the press would count for another control of
-    // the new page.
+    // If the numbers of controls changed while a control is pressed and the page turns, the press would change another
+    // control of the new page.
     Session app(Settings{}, HandFacts{});
     const auto controls = app.desk_visit().desk().controls();
     const DeviceSpec& spec = *find_device_spec("sim-f");
@@ -240,7 +240,7 @@ TEST(Desk, every_control_can_be_read_and_changed_by_hand_and_by_keys) {
                     ASSERT_TRUE(by_hand.reach("Volume knob", 0.0, 0.0045, -by_hand.deep_m()));
                     const Vec3 top = by_hand.at_m();
                     for (int deg = 3; deg <= 120 && control.position() == before;
-                         deg += 3) {  // the hand of a soft device lags behind
+                         deg += 3) {  // The hand of a soft device lags behind its target.
                         const double turn = radians_from_degrees(deg);
                         by_hand.slide_to(top +
                                          Vec3(0.0045 * step * std::sin(turn), 0.0, 0.0045 * (std::cos(turn) - 1.0)));
@@ -252,7 +252,8 @@ TEST(Desk, every_control_can_be_read_and_changed_by_hand_and_by_keys) {
                 }
                 case DeskKind::Knob: {
                     ASSERT_TRUE(by_hand.reach(control.name, 0.0045, 0.0,
-                                              // Starts at three o'clock; clockwise increases the value.
+                                              // The turn starts at three o'clock. Turning clockwise increases the
+                                              // value.
                                               -by_hand.deep_m()));
                     const Vec3 right = by_hand.at_m();
                     const std::string knob_before = desk.value(i);
@@ -368,7 +369,7 @@ TEST(Desk, steps_or_metres_position_and_explored_share_are_shown) {
 }
 
 TEST(Desk, lists_and_lessons_are_german_in_a_german_session) {
-    const test::InLanguage german("en");  // sets the language back to English at the end of the test
+    const test::InLanguage german("en");  // restores English at the end of the test
     Session app(Settings{}, HandFacts{});
     ASSERT_TRUE(app.desk_visit().desk().find("Speech volume"));
     Settings settings;

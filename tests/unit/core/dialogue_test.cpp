@@ -144,7 +144,8 @@ TEST(Dialogue, returns_to_the_outer_list_and_closes_all_lists_after_a_final_choi
     EXPECT_EQ(f.chosen, (std::vector<std::size_t>{1, 0}));
 }
 
-// The function for a choice may open and close any lists, including the list from which the item was chosen.
+// A function that is called for a choice may open and close any lists, including the list that contains the chosen
+// item.
 TEST(Dialogue, can_be_changed_by_the_chosen_item) {
     Dialogue dialogue;
     ListSpec list;

@@ -1,4 +1,4 @@
-// The events that a session reports while a person walks through our house.
+// Tests the events that a session reports while a person walks through the bundled house.
 #include <gtest/gtest.h>
 
 #include "tests/support/names.h"
@@ -12,7 +12,7 @@ TEST(SessionEvents, of_a_walk_through_our_house_report_rooms_doors_the_path_and_
     test::AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
     s.run(0.1);
-    s.ask(Command::Exits);  // the answer waits until the rooms are known
+    s.ask(Command::Exits);  // The answer waits until the rooms are known.
     (void)s.app.take_events();
     ASSERT_TRUE(test::go_to_room(s, "Kitchen", 90.0));
     int rooms = 0, doors = 0;
@@ -56,8 +56,8 @@ TEST(SessionEvents, report_a_stay_at_a_thing_once_and_a_typed_answer_with_its_qu
                 all.emplace_back(s.app.scene()->features[visit->feature.value].name, visit->by);
         return all;
     };
-    // At the base, the walker faces the stairs from far away. Standing there does not count as a visit, but asking
-    // about them does.
+    // At the base, the walker faces the stairs from far away. Standing there is not reported as a visit to the stairs,
+    // but asking about them is.
     s.run(3.0);
     EXPECT_TRUE(visits().empty());
     s.ask(Command::AheadOfMe);
@@ -68,7 +68,7 @@ TEST(SessionEvents, report_a_stay_at_a_thing_once_and_a_typed_answer_with_its_qu
     s.ask(Command::AheadOfMe);
     s.run(3.0);
     EXPECT_TRUE(visits().empty()) << "one stay is told once";
-    // Walks towards the thing ahead until that thing stops the walker.
+    // Walks towards the thing ahead until that thing stops the walker, and then stands still.
     s.hold(Command::Forward, 6.0);
     s.run(3.0);
     const auto faced = visits();

@@ -1,5 +1,5 @@
-// The exits of a hall that has many. The session names the nearest eight, and then how many more there are of each
-// kind.
+// Tests the exits of a hall that has many. The session announces the nearest eight exits, and then how many more there
+// are of each kind.
 #include <gmock/gmock.h>
 
 #include "tests/support/box_scene.h"

@@ -1,5 +1,5 @@
-// A person in virtual time, with the simulated hand of a device or with keys only. The class knows what they press,
-// choose, feel and hear. For tests that run the whole program without a window.
+// Simulates a person in virtual time, with the simulated hand of a device or with keys only. The class stores what the
+// person presses, chooses, feels and hears. Tests use it to run the whole program without a window.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -66,8 +66,8 @@ public:
         EXPECT_TRUE(app().apply(LineTyped{text}, now_s())) << text;
         run(0.05);
     }
-    // Chooses a thing in the list of everything with a name, even if it is in a group. Leaves the list of ways to find
-    // the thing open.
+    // Chooses a thing in the list of everything with a name, even if the thing is in a group. Leaves the list of tools
+    // to find the thing open.
     bool choose(const std::string& name, FeatureId feature) {
         const auto chosen = [&] {
             return app().dialogue().view().title == name && app().guide().goal() &&

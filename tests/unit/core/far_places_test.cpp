@@ -1,4 +1,4 @@
-// The commands for a person who is lost, and for a person who wants to know a place before going there.
+// Tests the commands for a person who is lost, and for a person who wants to know a place before going there.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ struct Visitor : AppSession {
         ask(Command::Exits);
         run(0.1);
     }
-    // Returns the description of the room that this word chooses.
+    // Returns the description of the room that `room` chooses in the list.
     std::string describe(const std::string& room) {
         ask(Command::Describe);
         EXPECT_TRUE(app.dialogue().is_open());
@@ -56,7 +56,7 @@ TEST(IAmLost, turns_to_the_nearest_wall_and_names_the_room_the_wall_and_the_way_
         const std::string back =
             phrase("lost.last_known", {{"place", "|"}, {"distance", ""}, {"direction", ""}, {"key", ""}});
         EXPECT_THAT(said, HasSubstr(back.substr(0, back.find('|')))) << said;
-        // The key that the announcement names also leads there.
+        // The key that the announcement names also leads to the last known place.
         EXPECT_THAT(said, HasSubstr(s.app.keys().keys_of(Command::Retrace))) << said;
         s.hold(Command::Retrace, 6.0);
         EXPECT_LT(glm::length(s.app.feet_m() - asked_m), 0.5);
@@ -118,7 +118,7 @@ TEST(Overview, gives_storeys_shape_and_neighbours_in_three_sentences) {
         Visitor s(world);
         for (const char* language : kLanguages) {
             const test::InLanguage spoken(language);
-            s.run(0.1);  // the rooms get their names again in this tick
+            s.run(0.1);  // In this tick, the rooms get their names again.
             const std::string said = s.ask(Command::Overview);
             std::size_t stops = 0;
             for (std::size_t i = 0; i < said.size(); ++i)

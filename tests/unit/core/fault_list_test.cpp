@@ -1,5 +1,5 @@
-// The list of faults that somebody should correct in a world. A person goes from fault to fault with keys and typed
-// words, and corrects them in the list.
+// Tests the list of faults that somebody should correct in a world. A person goes from fault to fault with keys and
+// typed words, and corrects the faults in the list.
 #include "app/core/kept/landmarks.h"
 #include "tests/support/map_text.h"
 #include "tests/support/names.h"
@@ -129,7 +129,7 @@ TEST(Landmarks, are_saved_in_the_side_file_and_restored_in_the_world) {
     const auto marked = with_landmarks(scene, kept);
     EXPECT_TRUE(marked->features[static_cast<std::size_t>(stove - scene->features.begin())].landmark);
     EXPECT_FALSE(stove->landmark) << "the world itself stays as it is";
-    kept[0].at_m.x += 1.0;  // now there is no thing at this place
+    kept[0].at_m.x += 1.0;  // After this change, there is no thing at the stored place.
     EXPECT_EQ(with_landmarks(scene, kept), scene);
     EXPECT_EQ(with_landmarks(marked, read_landmarks(file, faults)), marked) << "nothing is left to mark";
 }

@@ -1,4 +1,5 @@
-// With each tool for searching, a simulated person finds everything with a name in our house within 20 seconds.
+// Tests that with each tool for searching, a simulated person finds everything with a name in the bundled house within
+// 20 seconds.
 #include <fmt/format.h>
 
 #include <glm/mat3x3.hpp>
@@ -28,7 +29,7 @@ constexpr double kHandHeight_m = 1.0, kBody_m = 0.3;
 
 std::string told(const NamedThing& thing) { return sentence_case(speakable(thing.name)); }
 
-// Returns all things with a name; under sanitizers, only some from all parts of the house.
+// Returns all things with a name. Under sanitizers, returns only some things from all parts of the house.
 std::vector<NamedThing> sought_things(const Scene& scene) {
     const std::vector<NamedThing> all = named_things(scene);
     EXPECT_GT(all.size(), 50U);
@@ -68,8 +69,9 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_hand_that_is_guided_from_the_fr
     fmt::print("{} things: taken to each in {:.1f} s at most\n", things.size(), longest_s);
 }
 
-// Finds a place on the route to a thing where a person stands to search with the hand. It is at most `most_m` before
-// the thing, as far away as nothing is in between. A person who is farther away is guided there or walks.
+// Finds a place on the route to a thing where a person stands to search with the hand. The place is at most `most_m`
+// before the thing, and as far away as nothing is in between. A person who is farther away walks or is guided to that
+// place.
 class Approach {
 public:
     explicit Approach(const std::shared_ptr<const Scene>& scene)
@@ -93,7 +95,7 @@ public:
     }
 
 private:
-    // The line of sight begins a body's width farther away, because nobody stands in the leaf of a shut door.
+    // The line of sight begins farther away by the width of a body, because nobody stands in the leaf of a shut door.
     bool in_sight(const Vec3& hand, const Vec3& place, FeatureId thing) const {
         const Vec3 way = place - hand;
         const double length_m = glm::length(way);
@@ -129,8 +131,8 @@ void stand_at_the_front_door(Explorer& p) {
     p.run(1.2);
 }
 
-// A hand that moves where its person wants. At the end of its workspace, it grabs and moves the world, as a person
-// lifts a mouse and puts it down again. It does not press on against obstacles, and it opens the doors that are
+// Moves a hand where its person wants. At the end of its workspace, the hand grabs and moves the world, as a person
+// lifts a mouse and puts it down again. The hand does not press on against obstacles, and it opens the doors that are
 // announced to it.
 class SeekingHand {
 public:
@@ -154,8 +156,8 @@ public:
     }
 
     void let_go_of_it() { p_.hold(p_.hand_m() - pressed()); }
-    // Moves the hand by `by_m`. If it then presses by more than `most_m` into an obstacle, moves it back until it
-    // presses by `most_m`. Returns how far it presses in the end. Hand metres.
+    // Moves the hand by `by_m`. If the hand then presses by more than `most_m` into an obstacle, moves it back until it
+    // presses by `most_m`. Returns how far the hand presses in the end. All lengths are in hand metres.
     Vec3 press(const Vec3& by_m, double speed_m_per_s, double most_m) {
         p_.hold(p_.hand_m() + by_m, speed_m_per_s);
         const Vec3 pressed_m = pressed();
@@ -192,8 +194,8 @@ private:
     std::size_t door_;
 };
 
-// A search for a thing from the front door, with one of the tools in the list. Knows what the session has said since
-// then.
+// Searches for a thing from the front door, with one of the tools in the list. It stores what the session has said
+// since the search began.
 struct Search {
     Search(Explorer& explorer, const NamedThing& sought, const char* tool) : p(explorer), thing(sought) {
         stand_at_the_front_door(p);
@@ -220,7 +222,7 @@ const std::vector<Vec3> kSides{{0, 1, 0},  {1, 0, 0},  {-1, 0, 0},  {0, -1, 0}, 
 const std::vector<Vec3> kSlanting{{0, 1, 1},  {1, 0, 1},  {-1, 0, 1},  {0, -1, 1},
                                   {0, 1, -1}, {1, 0, -1}, {-1, 0, -1}, {0, -1, -1}};
 
-// The hand moves on and yields to the forces. If it is stopped, it tries for a free direction.
+// The hand moves on and yields to the forces. If it is stopped, it searches for a free direction.
 TEST(FoundInTheHouse, everything_is_reached_by_a_hand_that_follows_the_lines_from_the_front_door) {
     constexpr double kSpeed_m_per_s = 0.06, kStep_s = 0.02, kFelt_n = 0.03;
     const auto house = test::our_world("house.map");
@@ -230,12 +232,12 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_hand_that_follows_the_lines_fro
     for (const NamedThing& thing : things) {
         const Search search(p, thing, "Lines leading there");
         SeekingHand hand(p, search.from);
-        p.run(1.6);  // until the guidance is announced and the force has reached its strength
+        p.run(1.6);  // Wait until the guidance is announced and the force has reached its strength.
         const auto felt = [&] {
             const Vec3 force = p.tool().guidance.force_n;
             return glm::length(force) < kFelt_n ? Vec3(0.0) : force;
         };
-        Vec3 way(0.0), came(0.0);  // present direction, and direction of the last centimetre
+        Vec3 way(0.0), came(0.0);  // present direction, and direction of the last centimetre of movement
         std::vector<Vec3> places;
         const auto feel_round = [&] {
             Vec3 best(0.0);
@@ -300,7 +302,7 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_hand_along_the_lines_that_cross
         stand(p, *feet);
         ASSERT_TRUE(p.ask(told(thing), thing.feature, "Lines leading there")) << told(thing);
         const double begins_s = p.now_s();
-        p.run(1.6);  // until the guidance is announced and the force has reached its strength
+        p.run(1.6);  // Wait until the guidance is announced and the force has reached its strength.
         Vec3 at(0.0);
         for (int axis = 0; axis < 3; ++axis) {
             // Moves the hand to one end of the workspace, then slowly through the workspace, until the force along the
@@ -331,9 +333,9 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_hand_along_the_lines_that_cross
                things.size(), longest_s, 1000.0 * farthest_m);
 }
 
-// What a person concludes from the sounds of "warmer", each of which tells how directly the hand has approached.
-// Estimates which direction leads to the thing, and how certain that is along each axis. A Kalman filter over the
-// sounds, in which older sounds count less.
+// Estimates what a person concludes from the sounds of "warmer", each of which conveys how directly the hand has
+// approached. The estimate is the direction to the thing, and its certainty along each axis. It is a Kalman filter over
+// the sounds, in which older sounds have less weight.
 class SenseOfWay {
 public:
     void hear(const Vec3& went, double nearer) {
@@ -343,7 +345,7 @@ public:
         sure_ -= glm::outerProduct(gain, sure_ * went);
     }
     const Vec3& way() const { return way_; }
-    // Returns the direction about which least is known. Its length is the uncertainty.
+    // Returns the axis along which the direction is least known. The length of the result is the uncertainty.
     Vec3 doubt() const {
         Vec3 axis(0.6, 0.5, 0.62);
         for (int i = 0; i < 30; ++i) axis = glm::normalize(sure_ * axis);
@@ -356,8 +358,9 @@ private:
     glm::mat<3, 3, double> sure_{1.0};  // covariance of the direction
 };
 
-// A hand that weaves. It moves in the direction in which it expects to approach, and also sideways where it knows
-// least, so that every sound is informative. It feels its way round obstacles.
+// Moves a hand in a weaving path. The hand moves in the direction in which it expects to approach the thing. It also
+// moves sideways along the axis that it knows least, so that every sound is informative. It feels its way round
+// obstacles.
 class WarmerHand {
 public:
     explicit WarmerHand(const Search& search)
@@ -386,7 +389,7 @@ public:
 
 private:
     static constexpr double kFeel_m = 0.002, kPress_m = 0.0006;
-    // Speed in hand metres a second, per second of the interval between two sounds.
+    // The hand moves at this speed in hand metres a second for each second of the interval between two sounds.
     static constexpr double kFast = 0.85;
     struct HeardNearer {
         Vec3 went_m{0.0};  // movement since the last sound that was used, in hand metres
@@ -404,7 +407,7 @@ private:
     void step(const Vec3& by_m, double speed_m_per_s) {
         if (hand_.have_room(glm::length(by_m))) {
             nearer_heard();
-            deaf_ = true;  // ignores the next sound, because it includes the movement that made room
+            deaf_ = true;  // ignores the next sound, because that sound includes the movement that made room
         }
         hand_.press(by_m, speed_m_per_s, kPress_m);
     }
@@ -424,7 +427,7 @@ private:
         }
         return -wished;
     }
-    // Returns the result of the last sound, if there was a new one.
+    // Returns the result of the last sound, or no value if there was no new sound.
     std::optional<HeardNearer> nearer_heard() {
         std::optional<double> pitch;
         for (; heard_ < p_.sounds().size(); ++heard_)
@@ -434,7 +437,7 @@ private:
         if (!pitch) return std::nullopt;
         interval_s_ = p_.now_s() - std::exchange(ticked_s_, p_.now_s());
         const Vec3 went = proxy() - std::exchange(before_m_, proxy());
-        // No value also if the hand hardly moved.
+        // Also returns no value if the hand hardly moved.
         if (std::exchange(deaf_, false) || glm::length(went) < 0.0005) return std::nullopt;
         return HeardNearer{went, 2.0 * (*pitch - 1.0)};
     }
@@ -468,8 +471,8 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_hand_that_listens_to_warmer_and
                longest_s);
 }
 
-// This person uses only keys and is in a hurry: 2 m/s by the setting of the walking speed. They know only the kind of
-// each sound of the beacon, its direction, and the announced doors. They turn while walking, stand still for larger
+// This person uses only keys and is in a hurry: the setting of the walking speed is 2 m/s. They know only the kind and
+// the direction of each sound of the beacon, and the announced doors. They turn while walking, stand still for larger
 // turns, and step round obstacles.
 TEST(FoundInTheHouse, everything_is_reached_by_a_walker_who_follows_the_beacon_from_the_front_door) {
     constexpr double kHurried_m_per_s = 2.0;
@@ -584,7 +587,7 @@ TEST(TakenAlongAWay, a_hand_gets_a_new_path_when_its_body_walks_off_or_is_moved_
     }
 }
 
-// If a door opens, the world changes for both tools.
+// When a door opens, the world changes, so both tools must plan again.
 TEST(TakenAlongAWay, beacon_and_warmer_are_both_replanned_when_something_moves) {
     Explorer p(test::our_world("house.map"), nullptr);
     const auto& features = p.app().scene()->features;

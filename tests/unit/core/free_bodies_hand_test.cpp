@@ -1,5 +1,5 @@
-// The hand of a device and freely movable bodies, in the whole program on a virtual clock. The hand pushes, grips,
-// turns, drops and feels the bodies, and the session announces it.
+// Tests the hand of a device with freely movable bodies, in the whole program on a virtual clock. The hand pushes,
+// grips, turns, drops and feels the bodies, and the session announces what happens.
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -50,7 +50,7 @@ Settings without_a_desk() {
 struct Hand : test::Explorer {
     explicit Hand(std::shared_ptr<const Scene> scene) : Explorer(std::move(scene), "sim-t", without_a_desk()) {}
     explicit Hand(const std::string& entities) : Hand(hall(entities)) {}
-    // Moves the device so that its point is at this position in the world.
+    // Moves the device so that its point is at `world_m` in the world.
     void to(const Vec3& world_m, double speed_m_per_s = 0.05) {
         const HandOutput told = app().hand();
         hold((world_m - told.pose.origin_m) / told.tuning.touch.world_m_per_hand_m, speed_m_per_s);
@@ -158,7 +158,7 @@ TEST(HandOnBodies, a_body_that_is_too_heavy_slips_out_of_the_grip_and_its_weight
 TEST(HandOnBodies, a_crate_that_falls_on_the_hand_is_felt) {
     Hand hand(box("Crate", 2.0, 4.0, 1.8));
     hand.to({6.0, 3.0, 1.0});
-    hand.tap(Command::Use, 0.3);  // the Use key takes what is in front of the walker
+    hand.tap(Command::Use, 0.3);  // The Use key takes hold of what is in front of the walker.
     ASSERT_TRUE(hand.heard("Crate held, 2 kilograms.")) << hand.all_heard();
     for (int i = 0; i < 6; ++i) hand.tap(Command::TiltUp, 0.8);
     ASSERT_GT(hand.at("Crate").z, 1.2);
@@ -214,8 +214,8 @@ TEST(HandOnBodies, random_pushes_grips_and_drops_keep_all_bodies_in_the_hall_and
     EXPECT_TRUE(held > 0 || acts < 1000);
 }
 
-// Twenty things in sight of the start of a building. A random person walks, pushes, takes, turns and drops things with
-// hand and keys. HANDRAIL_ACTS sets the number of acts in each building.
+// Twenty things are in sight of the start of a building. A random person walks, pushes, grips, turns and drops things
+// with hand and keys. HANDRAIL_ACTS sets the number of acts in each building.
 constexpr int kThings = 20;
 
 std::string name_of(int thing) { return "Thing " + std::to_string(thing); }
@@ -228,7 +228,7 @@ std::string among_things(const std::string& map, const WalkerWorld& bare, std::m
     std::vector<Vec3> places;
     std::string text = map;
     for (int tries = 0; tries < 20000 && std::ssize(places) < kThings; ++tries) {
-        // A statement for each number, so that every compiler evaluates them in the same order.
+        // There is one statement for each number, so that every compiler evaluates them in the same order.
         const double north = part(random), east = part(random);
         const Vec3 at = eye + Vec3(14.0 * (east - 0.5), 14.0 * (north - 0.5), -0.3);
         if (glm::length(at - eye) < 1.0 || bare.trace(eye, at, {}).hit) continue;
@@ -280,7 +280,7 @@ struct Among : Hand {
     double most_n() const { return most_n_; }
 
 private:
-    // True for doors and lifts, which also move in the building without things.
+    // Returns true for doors and lifts, which also move in the building without things.
     bool moves(FeatureId feature) const {
         const std::vector<Mover>& all = bare_.scene().movers;
         return std::any_of(all.begin(), all.end(), [&](const Mover& one) { return one.feature == feature; });
@@ -318,7 +318,7 @@ void lives_among_things(const std::filesystem::path& file) {
     bool down = false;
     std::unique_ptr<Among> is_here;
     for (int act = 0; act < acts; ++act) {
-        if (act % 100 == 0) {  // places the walker at the start again, in case it has walked away from all things
+        if (act % 100 == 0) {  // Places the walker at the start again, because it may have walked away from all things.
             const std::string text = among_things(map, bare, random);
             ASSERT_FALSE(text.empty()) << "no room for the things";
             auto scene = read_quake_map(text, "building.map", {});

@@ -1,5 +1,5 @@
-// Freely movable things in a session: the walker pushes them, and keys take, move, lift, turn and drop them. They stop
-// where the hand, the walker or a mover meets them.
+// Tests freely movable things in a session: the walker pushes them, and keys grip, move, lift, turn and drop them. They
+// stop where the hand, the walker or a mover meets them.
 #include <algorithm>
 #include <random>
 
@@ -42,7 +42,7 @@ std::string ball(double radius_m, double east_m, double north_m) {
 struct Walk : test::AppSession {
     explicit Walk(std::shared_ptr<const Scene> scene) { app.apply(WorldEntered{make_ready(std::move(scene))}, 0.0); }
     Vec3 at(const char* name) const { return app.thing_at(name).value_or(Placement{}).position_m; }
-    // True if the walker's cylinder overlaps nothing.
+    // Returns true if the walker's cylinder overlaps nothing.
     bool stands_free() const {
         return !app.world().solids->blocked(app.feet_m(), {body_size(*app.scene(), 0.25).radius_m - 1e-3, 1.5});
     }
@@ -232,7 +232,7 @@ TEST(FreeBodies, routes_ignore_movable_things_and_go_round_fixed_ones) {
     }
 }
 
-// The person walks at random among twenty bodies, and takes and drops them at random.
+// The person walks at random among twenty bodies, and grips and drops them at random.
 TEST(FreeBodies, random_walks_grips_and_drops_keep_all_bodies_in_the_hall_and_the_walker_outside_them) {
     const std::uint32_t seed = test::seed_of_run();
     SCOPED_TRACE(seed);
@@ -263,7 +263,7 @@ TEST(FreeBodies, random_walks_grips_and_drops_keep_all_bodies_in_the_hall_and_th
         }
         const Vec3 feet = walk.app.feet_m();
         ASSERT_TRUE(feet.x > 0.2 && feet.x < 9.8 && feet.y > 0.2 && feet.y < 19.8 && feet.z > -0.01);
-        // A walker that is driven against a body overlaps it slightly for a moment, and is then pushed off.
+        // A walker that is driven against a body overlaps the body slightly for a moment, and is then pushed off.
         ASSERT_FALSE(walk.app.world().solids->blocked(feet + Vec3(0.0, 0.0, 0.02), {0.25 - 0.03, 1.5}))
             << "act " << act;
     }

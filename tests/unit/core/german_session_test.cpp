@@ -1,5 +1,5 @@
-// A short session in German. Everything that it says consists of whole German sentences, with the German names of the
-// map. A change of the language takes effect with the next sentence.
+// Tests a short session in German. Everything that the session says consists of whole German sentences, with the German
+// names of the map. A change of the language takes effect with the next sentence.
 #include "tests/support/box_scene.h"
 #include "tests/support/names.h"
 #include "tests/support/project_root.h"

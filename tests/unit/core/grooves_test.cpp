@@ -1,4 +1,4 @@
-// Grooves on the floor: where they are, and what a hand feels of them in a session.
+// Tests grooves on the floor: where they are, and what a hand feels of them in a session.
 #include "app/core/wayfinding/grooves.h"
 
 #include <limits>
@@ -47,8 +47,8 @@ TEST(Grooves, are_off_by_default_and_otherwise_hold_a_hand_in_a_doorway) {
         settings.guidance.grooves = wished;
         settings.workspace.rim = false;
         Explorer p(test::our_world("house.map"), "sim-t", settings);
-        // The walker is in the hall, in front of the living room's door. Puts the proxy on the floor, 15 cm from the
-        // middle of the doorway.
+        // The walker is in the hall, in front of the living room's door. The test puts the proxy on the floor, 15 cm
+        // from the middle of the doorway.
         const auto portal = [&] {
             const auto& features = p.app().scene()->features;
             const auto door = std::find_if(features.begin(), features.end(),

@@ -1,4 +1,4 @@
-// Marks, landmarks, the beacon, "warmer and colder" and laps of guidance, and how the session uses them.
+// Tests marks, landmarks, the beacon, "warmer and colder" and laps of guidance, and how the session uses them.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -217,7 +217,7 @@ TEST(Marks, are_set_at_the_hand_also_by_the_devices_button_and_announced_once_wh
     p.hand_at({4.0, 1.0, 1.0});
     p.run(0.2);
     EXPECT_EQ(p.count(SoundKind::Mark), 0);
-    p.hand_at({1.6, 2.8, 0.5});  // near the mark: 3 mm away at the hand
+    p.hand_at({1.6, 2.8, 0.5});  // The hand is near the mark: 3 mm away at the hand.
     p.run(1.0);
     EXPECT_EQ(p.count(SoundKind::Mark), 1);
     EXPECT_TRUE(p.heard("Mark 1"));
@@ -301,7 +301,7 @@ TEST(BeaconTest, is_set_on_the_thing_ahead_muted_and_restored) {
     EXPECT_EQ(p.count(SoundKind::BeaconAhead), stopped);
 }
 
-// Chooses a thing in the list of what can be found, and then a way to find it.
+// Chooses a thing in the list of what can be found, and then a tool to find it.
 void seek(Person& p, const std::string& thing, const std::string& way) {
     p.tap(Command::Find);
     const std::vector<ListItem> items = p.app.dialogue().view().items;
@@ -368,7 +368,7 @@ TEST(WarmerTest, is_announced_ticks_for_hand_or_body_and_is_switched_off_by_a_se
     for (const bool device : {true, false}) {
         Person p(device);
         p.enter();
-        // Returns a place this far in front of the radiator, at its height.
+        // Returns a place at this distance in front of the radiator, at the height of the radiator.
         const auto away = [&](double metres) {
             const Vec3 place(5.8 - metres, 1.5, device ? 0.5 : 0.0);
             if (device) p.hand_at(place);
@@ -430,8 +430,8 @@ TEST(WarmerTest, signals_by_pitch_how_directly_the_person_approaches_or_moves_aw
     EXPECT_NEAR(goes_to({0.085, 0.0, 0}), 0.73, 0.05) << "half round to it";
 }
 
-// A route of two legs in the form of an L. A walker who goes round its corner hears the walking distance. The distance
-// does not jump if the route is planned again.
+// The route has two legs in the form of an L. A walker who goes round its corner hears the walking distance. The
+// distance does not jump if the route is planned again.
 TEST(SoughtWayTest, measures_walking_distance_calls_from_the_next_turn_and_is_continuous_on_replanning) {
     SoughtRoute way;
     const auto follow = [&](const Vec3& at_m) { way.follow(at_m, kHeightCountsForWalkers, {}); };
@@ -473,7 +473,7 @@ TEST(SoughtWayTest, measures_walking_distance_calls_from_the_next_turn_and_is_co
     }
     follow(at);
     EXPECT_NEAR(way.told_m(), before_m, 1e-9) << "who rests hears no change";
-    // If the route is in sight, even from afar, the walker can return to it. If it is hidden, the route must be planned
+    // If the route is in sight, even from afar, the walker can return to it. If the route is hidden, it must be planned
     // again.
     for (const bool seen : {true, false}) {
         way.follow(Vec3(5, 14, 0), kHeightCountsForWalkers, [&](const Vec3&) { return seen; });
@@ -588,7 +588,7 @@ TEST(TakeMe, waits_for_a_hand_on_the_grip_and_announces_it) {
 TEST(TakeMe, leads_around_obstacles_along_the_planned_path_and_by_ear_without_force) {
     Person p(true);
     p.enter();
-    p.hand_at({1.2, 3.7, 0.3});  // the hand is behind the table
+    p.hand_at({1.2, 3.7, 0.3});  // The hand is behind the table.
     p.run(0.1);
     const auto ask = [&] {
         p.tap(Command::Find);
@@ -660,7 +660,7 @@ TEST(TakeMe, reports_an_unreachable_target_and_goes_to_the_nearest_reachable_pla
 TEST(TakeMe, without_a_device_gives_directions_follows_the_route_and_stops_when_requested_again) {
     Person p;
     p.enter();
-    p.stand_at({0.5, 3.6, 0.0});  // the table is between the walker and the goal
+    p.stand_at({0.5, 3.6, 0.0});  // The table is between the walker and the goal.
     p.tap(Command::Find);
     p.type("radiator");
     p.key("Enter");

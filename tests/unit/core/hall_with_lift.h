@@ -1,5 +1,5 @@
-// Makes a building with one hall on each storey and, to the north, a lift or stairs that connect the storeys. For tests
-// of riding a lift or climbing stairs with one command.
+// Makes a building with one hall on each storey and, to the north, a lift or stairs that connect the storeys. Tests use
+// it to ride a lift or climb stairs with one command.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 
 namespace handrail::test {
 
-// Makes the building. The storeys are connected by a space of this kind, width and depth, behind a door on each storey.
+// Makes the building. A space of this kind, width and depth connects the storeys, behind a door on each storey.
 inline std::shared_ptr<const Scene> hall_with(PlanSpaceKind kind, const std::string& name, double wide_m, double deep_m,
                                               std::size_t storeys) {
     const double west = 3.0 - 0.5 * wide_m, east = 3.0 + 0.5 * wide_m, north = 6.0 + deep_m;

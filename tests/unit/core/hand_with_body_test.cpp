@@ -1,5 +1,5 @@
-// The hand goes through doors together with the walker. Tests whether the walker sees the hand, and which of them
-// answers questions until the hand is there.
+// Tests the hand when it goes through doors together with the walker: whether the walker sees the hand, and which of
+// them answers questions until the hand is there.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -49,8 +49,8 @@ bool body_sees_hand(const WalkerWorld& walls, const Explorer& p, const Vec3& fee
     return false;
 }
 
-// Walks from the front door of the house into the Study, on the path of the report that led to this test. Returns the
-// number of frames in which the hand touched something.
+// Walks from the front door of the house into the Study. The path is that of the report that led to this test. Returns
+// the number of frames in which the hand touched something.
 int walk_into_the_study(Explorer& p) {
     int touches = 0;
     const auto tap = [&](Command command, int frames) {

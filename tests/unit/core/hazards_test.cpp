@@ -86,7 +86,7 @@ TEST(Hazards, a_drop_is_a_gap_into_which_the_body_would_fall_and_not_one_that_it
         b.box({-5, edge + gap, -4}, {5, 12, 0}, "floor behind");
         const Ground ground(b);
         const GroundAhead seen = ground.ahead(Vec3(0.0), 0.0);
-        // For comparison, a walker goes there and falls or does not fall.
+        // For comparison, a walker goes to the edge and falls or does not fall.
         Walker walker(*ground.world, ground.rules.body);
         walker.place(Vec3(0.0));
         double lowest = 0.0;
@@ -94,7 +94,8 @@ TEST(Hazards, a_drop_is_a_gap_into_which_the_body_would_fall_and_not_one_that_it
             walker.tick({0.0, 0.5, 0.0}, 1.0 / 60.0);
             lowest = std::min(lowest, walker.state().feet_m.z);
         }
-        // If the gap is about as wide as the walker, tiny differences decide whether the walker crosses it or falls.
+        // If the gap is about as wide as the walker, tiny differences decide whether the walker crosses the gap or
+        // falls.
         if (std::abs(gap - 0.5) < 0.12 || std::abs(depth - ground.rules.drop_m) < 0.02) continue;
         const bool falls = lowest < -ground.rules.drop_m;
         EXPECT_EQ(seen.drop.has_value(), falls) << "gap " << gap << ", deep " << depth << ", edge at " << edge;

@@ -1,5 +1,5 @@
-// The bundled maps for learning a building. Under a sanitizer, the house alone is enough, because the school runs the
-// same code.
+// Lists the bundled maps for learning a building. Under a sanitizer, the house alone is enough, because the school runs
+// the same code.
 #pragma once
 
 #include <vector>

@@ -17,7 +17,7 @@ namespace hunt_test {
 
 using test::SceneBuilder;
 
-// Makes two rooms with a doorway. The second room has a raised floor with steps up to it.
+// Makes two rooms with a doorway. The second room has a raised floor and steps up to that floor.
 std::shared_ptr<const Scene> rooms() {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {12, 5, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
@@ -45,7 +45,7 @@ TEST(Hunt, hides_the_clock_at_a_walkable_place_far_enough_away_and_leads_there) 
         places.emplace(static_cast<int>(clock.x * 4), static_cast<int>(clock.y * 4));
         EXPECT_FALSE(world.blocked(clock, WalkerShape{0.2, 1.5}));
         hunt.aim(clock);
-        // A walker who follows the hints arrives.
+        // A walker who follows the hints arrives at the clock.
         Vec3 at(1, 1, 0);
         ASSERT_TRUE(hunt.way_m(at));
         EXPECT_GE(*hunt.way_m(at), 6.0 - 1e-9);
@@ -73,7 +73,7 @@ TEST(Hunt, hides_as_far_away_as_it_can_where_nothing_is_far_enough) {
 }
 
 // Makes a floor of 4 by 4 m at height `floor_m`, with a plinth of height `plinth_m` in its middle. Returns the number
-// of places on it.
+// of places in the grid of the hunt.
 std::size_t places_around_a_plinth(double floor_m, double plinth_m) {
     SceneBuilder b;
     b.box({0, 0, floor_m - 0.2}, {4, 4, floor_m}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);

@@ -1,4 +1,4 @@
-// The unit that a person has set for a world is stored, and nothing else in the side file changes.
+// Tests that the unit that a person has set for a world is stored, and that nothing else in the side file changes.
 #include "app/core/kept/kept_unit.h"
 
 #include <gtest/gtest.h>

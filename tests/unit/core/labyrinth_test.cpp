@@ -1,4 +1,4 @@
-// The bundled labyrinths, played by keys and ears. A player who follows the announcements finishes each one. The ball
+// Plays the bundled labyrinths by keys and ears. A player who follows the announcements finishes each one. The ball
 // falls into holes, a plank covers one hole, the best time is stored, and the player can start again.
 #include <filesystem>
 #include <regex>
@@ -186,7 +186,7 @@ TEST(Labyrinth, second_level_is_finished_over_the_plank_twice_and_the_best_time_
     }
     EXPECT_TRUE(std::filesystem::exists(options.records_in / "labyrinth.handrail.toml"));
     Player again("labyrinth2.map", options);
-    again.run(20.0);  // the clock does not start until the ball moves
+    again.run(20.0);  // The clock does not start until the ball moves.
     finish_second(again);
     EXPECT_TRUE(again.heard("Finished in "));
     EXPECT_TRUE(again.heard("The best time here is ") || again.heard("That is a new best time")) << again.news();

@@ -1,4 +1,4 @@
-// The choice of the language, in a session or by the settings.
+// Tests the choice of the language, in a session or by the settings.
 #include <fstream>
 
 #include "app/core/kept/spoken_language.h"

@@ -1,5 +1,5 @@
-// After any crash, the next start announces it and offers to continue at the last place. Sessions that run at the same
-// time do not count as crashed.
+// Tests that after any crash, the next start announces the crash and offers to continue at the last place. Sessions
+// that run at the same time are not reported as crashed.
 #include "app/core/kept/last_place.h"
 
 #include <gmock/gmock.h>
@@ -90,7 +90,7 @@ TEST(SessionTrace, of_a_killed_session_is_reported_once_with_its_last_place) {
         EXPECT_EQ(next.left_at()->feet_m, kKitchen.feet_m);
     }
     {
-        // The session above has just crashed too, before it noted a place.
+        // The session above has also just crashed, before it noted a place.
         SessionTrace after(folder.path());
         EXPECT_TRUE(after.crashed());
         ASSERT_TRUE(after.left_at());

@@ -19,7 +19,7 @@ namespace learning_test {
 
 using test::SceneBuilder;
 
-// A world with its rooms, and the room around a point as a place to learn.
+// Makes a world with its rooms, and a place to learn from the room around a point.
 struct Ground {
     Ground(const SceneBuilder& b, const Vec3& feet_m) : scene(b.share()), world(scene) {
         const WalkerSize size = body_size(*scene, 0.25);
@@ -45,8 +45,8 @@ struct Ground {
     Place place;
 };
 
-// Makes a room with its south-west corner at `at`, a door of a metre in the south wall, and perhaps a free-standing
-// block.
+// Makes a room whose south-west corner is at `at`, with a door of a metre in the south wall. If `block` is true, a
+// free-standing block is in the room.
 struct DoorRoom : Ground {
     static SceneBuilder built(const Vec3& at, double wide, double deep, bool block) {
         SceneBuilder b;
@@ -134,7 +134,7 @@ TEST(Learning, reports_the_walked_share_of_the_floor_within_two_percent) {
             }
             at = to;
         }
-        // Computes the expected result from points three centimetres apart.
+        // Compute the expected result from points three centimetres apart.
         int all = 0, walked = 0;
         for (double x = 0.015; x < room.wide_m; x += 0.03)
             for (double y = 0.015; y < room.deep_m; y += 0.03) {
@@ -226,8 +226,8 @@ TEST(Learning, lanes_are_a_metre_apart_in_both_directions) {
     for (std::size_t i = 0; i < after.size(); ++i) EXPECT_EQ(after[i].done(), i == 2) << i;
 }
 
-// The outline of a room. The corners are in an order that has the room on the left, and all are right angles. There may
-// be a free-standing pillar.
+// The outline of a room. The corners are in an order that has the room on the left, and all of them are right angles.
+// There may be a free-standing pillar.
 struct Outline {
     const char* name = "";
     std::vector<Vec3> corners;
@@ -237,7 +237,7 @@ struct Outline {
 
     Vec3 corner(std::size_t i) const { return corners[i % corners.size()]; }
     bool inside(const Vec3& p) const {
-        bool in = false;  // changes for each side of the outline to the east
+        bool in = false;  // changes its value at each side of the outline to the east
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Vec3 a = corner(i), b = corner(i + 1);
             if ((a.y > p.y) != (b.y > p.y) && p.x < a.x) in = !in;
@@ -325,7 +325,7 @@ TEST_P(Outlines, have_the_true_length_and_area_within_two_percent) {
     }
 }
 
-// A person who walks a lap by keys, and the positions of the walker's feet.
+// A person who walks a lap by keys, with the positions of the walker's feet.
 struct Lap : test::AppSession {
     explicit Lap(std::shared_ptr<const Scene> scene) {
         app.apply(WorldEntered{make_ready(std::move(scene))}, 0.0);
@@ -386,8 +386,8 @@ TEST_P(Outlines, of_a_lap_by_keys_are_reported_within_two_percent_at_every_part)
     }
 }
 
-// A pocket that is too small for any walker has its own wall. Without that wall, 95 percent of the walls have been
-// touched, and the session used to report that as all of them.
+// A pocket that is too small for any walker has a wall. Without that wall, 95 percent of the walls have been touched.
+// The session used to report that as all walls.
 TEST(Learning, untouched_walls_are_not_reported_as_done) {
     SceneBuilder b;
     const auto wall = [&](const Vec3& from, const Vec3& to, const char* name) {

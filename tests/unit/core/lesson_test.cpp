@@ -191,7 +191,7 @@ TEST(FirstMinutes, resume_where_they_were_left_and_never_start_again_once_done) 
     EXPECT_THAT(text, HasSubstr("Welcome back."));
     EXPECT_THAT(text, HasSubstr("You are in a small room"));
 
-    // Escape explains the lesson. Pressed again, it ends the lesson without another question.
+    // The first Escape explains how to leave the lesson. The second Escape ends the lesson without another question.
     app.apply(CommandDown{Command::Leave}, now += 10.0);
     EXPECT_THAT(said(), HasSubstr("Press Escape again to leave the lesson"));
     app.apply(CommandUp{Command::Leave}, now);

@@ -1,4 +1,5 @@
-// Lifts with more than two halts. They come to each storey when called, and go to the storey that the person chooses.
+// Tests lifts with more than two halts. They come to each storey when called, and go to the storey that the person
+// chooses.
 #include <gmock/gmock.h>
 
 #include "app/core/world/mover_play.h"
@@ -50,7 +51,7 @@ TEST(LiftHalts, include_a_door_between_both_ends_which_the_lift_opens) {
 
 TEST(LiftHalts, lead_to_the_announced_storey_which_the_key_can_change) {
     Ride ride(test::hall_with_lift());
-    ride.walk(4.0);  // walks to the door of the lift
+    ride.walk(4.0);  // The person walks to the door of the lift.
     ride.tap(Command::Use);
     ride.run(1.5);
     ride.walk(2.5);

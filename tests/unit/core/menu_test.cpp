@@ -1,4 +1,4 @@
-// The menu and all that it contains: changes of keys, sets of keys for one hand, input help, settings, worlds and
+// Tests the menu and all that it contains: changes of keys, sets of keys for one hand, input help, settings, worlds and
 // sounds.
 #include <fstream>
 #include <set>
@@ -217,7 +217,7 @@ TEST(OneHandedKeys, are_chosen_in_the_menu_and_take_effect_at_once) {
     EXPECT_EQ(p.app.keys().find("W"), Command::Forward);
     EXPECT_EQ(p.app.keys().find("Up"), Command::Forward);
     EXPECT_EQ(p.saved()["keyboard.hand"], "left");
-    // A person's own key takes precedence over the set of keys for one hand.
+    // A person's own key is preferred to the set of keys for one hand.
     Settings own;
     own.keyboard.hand = KeyboardHand::Left;
     own.keys["heading"] = "W";

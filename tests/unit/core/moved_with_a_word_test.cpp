@@ -1,5 +1,5 @@
-// If a command moves the walker automatically, the session announces each turn and each change of height. Trailing
-// announces its direction and stops before stairs. A leap announces the new place.
+// Tests commands that move the walker automatically: the session announces each turn and each change of height.
+// Trailing announces its direction and stops before stairs. A leap announces the new place.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -98,7 +98,7 @@ TEST(Trailing, waits_at_stairs_until_it_is_requested_again) {
         EXPECT_NEAR(s.app.feet_m().z, 0.0, 0.05) << "still on the floor";
         EXPECT_GT(s.app.feet_m().x, 7.0) << "just before them";
         s.news();
-        for (int i = 0; i < 30 && s.app.feet_m().z < 1.5; ++i) {  // in this world, each step is a separate thing
+        for (int i = 0; i < 30 && s.app.feet_m().z < 1.5; ++i) {  // In this world, each step is a separate thing.
             s.ask(Command::TrailOn);
             s.rest();
         }

@@ -1,4 +1,4 @@
-// Doors, lifts, buttons and teleporters: how a map defines them, how they move, and how the session uses them.
+// Tests doors, lifts, buttons and teleporters: how a map defines them, how they move, and how the session uses them.
 #include "tests/support/map_text.h"
 #include "tests/support/names.h"
 #include "tests/support/project_root.h"
@@ -91,7 +91,7 @@ TEST(Movers, a_door_that_would_shut_on_the_walker_opens_again) {
     Walk walk(world(kWall + door(key("name", "Oak door") + key("hinge", "west"))));
     walk.app.apply(Placed{{5.0, 2.4, 0.0}, 0.0}, walk.now);
     walk.tap(Command::Use, 2.0);
-    walk.app.apply(Placed{{5.0, 3.1, 0.0}, 0.0}, walk.now);  // places the walker on the threshold
+    walk.app.apply(Placed{{5.0, 3.1, 0.0}, 0.0}, walk.now);  // The walker is placed on the threshold.
     walk.tap(Command::Use, 4.0);
     EXPECT_TRUE(walk.heard("touched you"));
     EXPECT_FALSE(walk.heard("is shut"));
@@ -141,7 +141,7 @@ TEST(Movers, a_button_opens_only_the_door_with_its_name_and_nothing_else_opens_i
     EXPECT_TRUE(walk.heard("Gate, plaster is locked. Red button") || walk.heard("is locked. Red button"));
     EXPECT_TRUE(walk.heard(" opens it, ")) << "and where it is";
     walk.app.apply(Placed{{5.0, 1.0, 0.0}, 0.0}, walk.now);
-    walk.walk(1.5);  // walks against the button
+    walk.walk(1.5);  // The walker walks against the button.
     walk.run(3.0);
     EXPECT_TRUE(walk.heard("Red button pressed"));
     EXPECT_TRUE(walk.heard("Gate opens"));
@@ -160,7 +160,7 @@ TEST(Movers, a_locked_door_announces_its_button_when_bumped_and_opens_with_it_fr
     Walk walk(world(kWall + gate + button, true));
     walk.walk(4.0);
     EXPECT_TRUE(walk.heard("is locked. Red button"));
-    walk.app.apply(Placed{{5.0, 18.2, 0.0}, 0.0}, walk.now);  // places the walker 15 m beyond
+    walk.app.apply(Placed{{5.0, 18.2, 0.0}, 0.0}, walk.now);  // The walker is placed 15 m beyond the gate.
     walk.tap(Command::Use, 4.0);
     EXPECT_TRUE(walk.heard("Red button pressed"));
     EXPECT_TRUE(walk.heard("Gate opens"));
@@ -178,7 +178,7 @@ TEST(Movers, a_lift_waits_below_and_carries_a_walker_who_steps_on) {
     EXPECT_TRUE(mover.rests_far);
     EXPECT_NEAR(mover.slide_m.z, -(64.0 - 8.0) / 32.0, 1e-12);
     EXPECT_LT(walk.app.feet_m().z, 0.1);
-    walk.walk(2.5);  // walks onto the lift
+    walk.walk(2.5);  // The walker walks onto the lift.
     double highest = 0.0;
     for (int i = 0; i < 300; ++i) {
         walk.run(1.0 / 60.0);

@@ -1,5 +1,5 @@
-// Who rides on moving things, and what moving things do when they meet a walker or each other: trains, turning parts,
-// and lifts with doors and buttons.
+// Tests trains, turning parts, and lifts with doors and buttons: who rides on them, and what they do when they meet a
+// walker or each other.
 #include <random>
 
 #include "app/core/world/mover_meeting.h"
@@ -50,7 +50,7 @@ struct Rider : test::AppSession {
         for (std::size_t i = 0; i < app.scene()->placed.size(); ++i) all.push_back(thing(i));
         return all;
     }
-    // Returns the greatest height of the soles during this time. Checks that the walker is never inside a solid.
+    // Returns the greatest height of the soles during `seconds`. Checks that the walker is never inside a solid.
     double highest_m(double seconds) {
         double highest = app.feet_m().z;
         for (const double until = now + seconds; now < until;) {
@@ -491,7 +491,7 @@ TEST(LiftsOfBuildings, include_one_in_our_school_that_can_be_ridden_up_and_down_
         rider.turn_round();
         ASSERT_LT(rider.app.feet_m().y, 10.7) << "in the corridor";
         EXPECT_NEAR(rider.app.feet_m().z, floor_m, 0.02);
-        rider.run(8.0);  // until the door of the lift is shut again
+        rider.run(8.0);  // Wait until the door of the lift is shut again.
     }
 }
 

@@ -12,7 +12,7 @@
 namespace handrail::test {
 namespace {
 
-// True if `text` begins with the whole words `with`: "Stairs" does not begin with "Stair".
+// Returns true if `text` begins with the whole words `with`: "Stairs" does not begin with "Stair".
 bool begins(const std::string& text, const std::string& with) {
     return text.rfind(with, 0) == 0 &&
            (text.size() == with.size() || std::isalnum(static_cast<unsigned char>(text[with.size()])) == 0);
@@ -107,7 +107,7 @@ bool Newcomer::walk(int steps) {
         }
         if (!bumped_since(sounds)) continue;
         if (told_of_lock(said)) return true;
-        // If the leaf of an open door is in the way, the door is not used, because that would shut it.
+        // If the leaf of an open door blocks the newcomer, the Use key is not pressed, because it would shut the door.
         if (!heard("open", said) && (heard("shut", said) || heard("door", said) || door_ahead())) {
             const std::string answer = ask("Enter", 3.0);
             if (told_of_lock(said)) return true;
@@ -139,7 +139,7 @@ bool Newcomer::told_of_lock(std::size_t since) {
     return false;
 }
 
-// If something is in the way, walks sideways for a few steps, on alternate sides, and farther each time.
+// If something blocks the newcomer, walks sideways for a few steps, on alternate sides, and farther each time.
 void Newcomer::get_round() {
     ++met_;
     const std::string along = met_ % 4 < 2 ? "Shift+Left" : "Shift+Right";
@@ -166,7 +166,7 @@ bool Newcomer::obey(const std::string& text) {
     const auto direction = direction_in(text);
     if (!direction) return false;
     turn(direction->right_deg);
-    over_edges_ = text.find("edge") != std::string::npos;  // the route leads down over the edge
+    over_edges_ = text.find("edge") != std::string::npos;  // true: the route leads down over the edge
     if (walk(std::clamp(direction->steps, 1, 8)) && !locked_) get_round();
     return true;
 }
@@ -197,7 +197,7 @@ std::string Newcomer::choose(const std::string& key, const std::string& begin) {
     for (int i = 0; i < 200; ++i) {
         if (begins(spoken, begin)) {
             const std::string answer = ask("Enter", 0.8);
-            // If several things have that name, takes the nearest one.
+            // If several things have that name, chooses the nearest one.
             return answer.find(": which one?") == std::string::npos ? answer : ask("Enter", 0.8);
         }
         if (spoken == before || spoken.empty()) break;
@@ -238,7 +238,7 @@ bool Newcomer::follow_words_to(const std::string& goal, std::size_t since) {
 bool Newcomer::go_to_thing(const std::string& thing) {
     const std::size_t since = lines();
     if (choose("Shift+H", thing).empty()) return false;
-    tap("Enter", 0.6);  // chooses the beacon, which is the first of the ways to find the thing
+    tap("Enter", 0.6);  // The beacon is the first of the tools to find the thing.
     for (int beats = 0; beats < 120; ++beats) {
         if (heard("Here " + thing, since)) return true;
         const std::size_t sounds = audio_.sounds().size();

@@ -1,6 +1,6 @@
-// A simulated person who has never been in the world and sees nothing. It presses keys by their names. It knows only
-// what was announced and what it heard, in that order, and never reads the scene or the walker's position. From each
-// sound, it learns what ears would: which sound it is, from which side it comes, and how muffled it is.
+// Simulates a person who has never been in the world and sees nothing. The newcomer presses keys by their names. It
+// knows only what was announced and what it heard, in that order, and never reads the scene or the walker's position.
+// From each sound, it learns what ears would: which sound it is, from which side it comes, and how muffled it is.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ namespace handrail::test {
 
 class Newcomer {
 public:
-    // `hand` is absent, or the simulated hand of a device, which stays where it is.
+    // `hand` is absent, or the simulated hand of a device, which does not move.
     explicit Newcomer(std::shared_ptr<const Scene> world, const std::filesystem::path& records = {},
                       const HandFacts& hand = {});
 
@@ -33,11 +33,11 @@ public:
     std::string last_lines(std::size_t count) const;
     double now_s() const { return session_->now_s(); }
 
-    // Turns to the right by this many degrees. It uses the announced heading.
+    // Turns to the right by this many degrees, with the help of the announced heading.
     void turn(double right_deg);
-    // Walks this many steps ahead. If something is in the way, walks fewer and returns true. Opens doors that it meets
-    // and goes through them.
-    bool walk(int steps);  // an edge counts as something in the way, unless the directions lead over it
+    // Walks this many steps ahead. If something blocks the newcomer, walks fewer and returns true. Opens doors that it
+    // meets and goes through them.
+    bool walk(int steps);  // an edge blocks the newcomer, unless the directions lead over it
     // Follows one direction, such as "5 steps, 30 degrees right": turns and walks most of the distance. If the
     // directions say so, starts the lift in which it stands, or climbs the stairs at which it stands. Returns false if
     // the text contains neither distance nor direction.
@@ -53,7 +53,8 @@ public:
     // Returns true when the arrival is announced. Returns false in front of a locked door, which locked() then
     // describes.
     bool go_to_room(const std::string& room);
-    // Goes to a thing by its name, guided by words as to a room. That is the second of the ways to find the thing.
+    // Goes to a thing by its name, guided by words as to a room. That guidance is the second of the tools to find the
+    // thing.
     bool go_by_words_to_thing(const std::string& thing);
     // Goes to a thing by its name: sets the beacon on the thing, and follows the beacon by ear until the arrival is
     // announced.
@@ -66,7 +67,7 @@ public:
     };
     const std::optional<Locked>& locked() const { return locked_; }
 
-    // How the world's own sounds of one kind reach the ears: the source, the direction in degrees to the right, and the
+    // How the world's own sounds of one kind reach the ears: the source, its direction in degrees to the right, and the
     // loss through walls in decibels.
     struct Heard {
         std::uint32_t which = 0;
@@ -76,7 +77,7 @@ public:
     // Turns towards a sound and walks two steps.
     void obey_ears(double right_deg);
 
-    // Only for the test, which checks the newcomer's position. The newcomer itself does not use it.
+    // Only the test calls it, to check the newcomer's position. The newcomer itself does not use it.
     Vec3 feet_m() const { return session_->app().feet_m(); }
 
 private:

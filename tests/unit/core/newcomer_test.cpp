@@ -1,4 +1,4 @@
-// A newcomer with keys and ears only, in worlds that were not made for this test.
+// Tests a newcomer with keys and ears only, in worlds that were not made for this test.
 #include "tests/unit/core/newcomer.h"
 
 #include <cstdlib>
@@ -33,7 +33,7 @@ std::string name_of(const std::string& entry) { return entry.substr(0, entry.rfi
 
 // Returns the name of a room in the list of routes that contains this word.
 std::string room_with(Newcomer& n, const std::string& word) {
-    // The announcement that the rooms are known comes between the entries, so the list is read once before.
+    // The announcement that the rooms are known would come between the entries, so the list is read once before that.
     (void)n.entries("Shift+4");
     for (const std::string& room : n.entries("Shift+4"))
         if (room.find(word) != std::string::npos) return name_of(room);
@@ -171,7 +171,8 @@ TEST(ANewcomer, walks_in_the_university_to_three_rooms_on_two_storeys_and_out_ag
     // Goes back to the porch of the main entrance, and through the door that leads outside.
     EXPECT_TRUE(n.go_to_room("Windfang")) << n.last_lines(60);
     const auto is_out = [&] { return n.ask("1").find("Pedestrian area") != std::string::npos; };
-    bool out_there = is_out();  // asks once in each round, because a second question would get a longer answer
+    // The newcomer asks only once in each round, because a second question would get a longer answer.
+    bool out_there = is_out();
     for (int asked = 0; asked < 20 && !out_there; ++asked, out_there = is_out()) {
         const std::string exits = n.ask("X");
         const std::size_t out = exits.find("to Pedestrian area: ");
@@ -183,7 +184,7 @@ TEST(ANewcomer, walks_in_the_university_to_three_rooms_on_two_storeys_and_out_ag
     std::cout << "outside after " << n.now_s() << " s\n";
 }
 
-// Makes a newcomer without a device, or with the simulated hand of a device, which stays where it is.
+// Makes a newcomer without a device, or with the simulated hand of a device, which does not move.
 std::unique_ptr<Newcomer> newcomer(const std::shared_ptr<const Scene>& world, const char* device) {
     HandFacts hand;
     if (device) {
@@ -193,14 +194,14 @@ std::unique_ptr<Newcomer> newcomer(const std::shared_ptr<const Scene>& world, co
     return std::make_unique<Newcomer>(world, std::filesystem::path{}, hand);
 }
 
-// A building for the test. `here` and `other` are the numbers of rooms that must be known by name and reached: on the
+// A building for the test. `here` and `other` say how many rooms the newcomer must know by name and reach: on the
 // storey of the start, and on the storey above or below.
 struct Building {
     const char* file;
     std::size_t here, other;
     bool below = false, ours = false;
     bool back = true;  // false: the way out is not tried
-    bool next = true;  // false: the other storey is two storeys from the start
+    bool next = true;  // false: the other storey is not next to that of the start but two storeys away
 };
 
 // Makes a two-storey office in the form that a program for architects would write.
@@ -209,13 +210,13 @@ std::shared_ptr<const Scene> office(const char* file) {
     return test::world_in(folder.write(file, test::office_ifc({2, 1, 3}).text));
 }
 
-// True for stairs, but not for footways, which are named after the stairs to which they lead.
+// Returns true for stairs, but not for footways, which are named after the stairs to which they lead.
 bool is_stairs(const std::string& room) {
     return room.find("tair") != std::string::npos && !room.starts_with("Footway");
 }
 
-// Goes from the outer door at the start to three rooms and back to the ground outside. Each room is chosen from the
-// list of routes by its announced place. The newcomer uses only what is spoken.
+// Goes from the outer door at the start to three rooms and back to the ground outside. The newcomer chooses each room
+// from the list of routes by its announced place. It uses only what is spoken.
 void walks_to_three_rooms_and_out_again(const Building& building, const char* device) {
     const auto world = building.ours ? office(building.file) : real(building.file);
     if (!world) GTEST_SKIP() << test::needs_real_world(building.file);
@@ -350,7 +351,7 @@ TEST(ANewcomer, rides_the_lift_of_a_building_without_stairs_to_its_highest_store
     EXPECT_NEAR(n.feet_m().z, 0.0, 0.1);
 }
 
-// Goes one storey up by stairs and one more by lift, and out through the porch.
+// The newcomer goes one storey up by stairs and one more by lift, and out through the porch.
 TEST(ANewcomer, walks_in_the_university_by_stairs_and_lift_with_a_simulated_device) {
     if (!std::getenv("HANDRAIL_ALL_ROUTES")) GTEST_SKIP() << "set HANDRAIL_ALL_ROUTES: ten seconds of computing";
     const auto world = real("apb-tu-dresden.osm");

@@ -1,5 +1,5 @@
-// An office with as many doors as a large building has, in a session. The hand finds each door shut, the Use key opens
-// it, and then the hand passes.
+// Tests an office with as many doors as a large building has, in a session. The hand finds each door shut, the Use key
+// opens the door, and then the hand passes.
 #include "app/core/world/entering.h"
 #include "haptic/render/proxy_solver.h"
 #include "haptic/servo/body_playback.h"
@@ -53,8 +53,8 @@ TEST(OfficeDoors, let_every_twentieth_of_two_thousand_open_to_the_hand) {
         Vec3 middle_m, through;  // unit vector along the thin side of the leaf
     };
     std::vector<Door> doors;
-    // Only some doors are tried, because all of them would take half a minute of computing. They differ only in their
-    // distance from the first one.
+    // Only some doors are tried, because all of them would cost half a minute of computing. They differ only in their
+    // distance from the first door.
     const auto every = static_cast<std::size_t>(20.0 / kSanitizerScale);
     const auto scene = session.app.scene();
     ASSERT_EQ(scene->movers.size(), 2000U);

@@ -1,5 +1,5 @@
-// A thing has the same place and the same distance in the answers to all questions: exits, where am I, what is ahead,
-// the list of all things and the routes to rooms. Checked in every room of the house and the school.
+// Tests that a thing has the same place and the same distance in the answers to all questions: exits, where am I, what
+// is ahead, the list of all things and the routes to rooms. The test runs in every room of the house and the school.
 #include <gmock/gmock.h>
 
 #include <map>

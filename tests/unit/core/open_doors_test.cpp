@@ -1,5 +1,5 @@
-// Routes past open doors in the house. The walker passes a leaf in the way, whether it is there from the start or moves
-// later.
+// Tests routes past open doors in the house. The walker passes a leaf that blocks the route, whether the leaf is there
+// from the start or moves later.
 #include <array>
 #include <map>
 
@@ -123,7 +123,7 @@ TEST(OpenDoors, that_are_open_from_the_start_are_avoided_from_the_start) {
     test::AppSession p;
     p.app.apply(WorldEntered{make_ready(std::make_shared<const Scene>(std::move(*scene)))}, 0.0);
     p.run(0.1);
-    p.ask(Command::Exits);  // the answer waits until the routes are known
+    p.ask(Command::Exits);  // The answer waits until the routes are known.
     p.ask(Command::Find);
     p.line("Stool");
     p.line("Take me there");
@@ -163,8 +163,8 @@ TEST(OpenDoors, that_are_shut_again_leave_the_routes_unchanged) {
 }
 
 // Makes a corridor, 1.1 m wide by default. On its north side is a closet, whose door opens into the corridor, and
-// farther east an opening to a hall. In a narrow corridor, the leaf of the open door leaves no room to pass. `open`:
-// the door is open from the start.
+// farther east an opening to a hall. In a narrow corridor, the leaf of the open door leaves no room to pass. If `open`
+// is true, the door is open from the start.
 std::shared_ptr<const Scene> corridor_with_closet(int wide_units = 36, bool open = false) {
     const int south = 96 - wide_units;
     const std::string rooms = test::room_brushes(0, 0, 0, 320, 640, 128);
@@ -207,7 +207,7 @@ TEST(OpenDoors, whose_leaf_leaves_no_room_to_pass_are_announced_and_can_be_shut)
     p.run(0.2);
     p.ask(Command::Routes);
     p.line("Hall");
-    p.run(0.1);  // now the route is planned
+    p.run(0.1);  // By now, the route is planned.
     const std::string leg = p.ask(Command::RepeatLeg);
     EXPECT_NE(leg.find("Closet is open and in the way. Shut it."), std::string::npos) << leg << " | " << p.news();
     p.walk(5.0);
@@ -218,8 +218,8 @@ TEST(OpenDoors, whose_leaf_leaves_no_room_to_pass_are_announced_and_can_be_shut)
     EXPECT_EQ(p.ask(Command::RepeatLeg).find("in the way"), std::string::npos) << p.news();
 }
 
-// A walker who follows the directions passes the open leaf. If there is room next to the leaf, there is no
-// announcement. Otherwise, the directions say to shut the door.
+// A walker who follows the directions passes the open leaf. If there is room next to the leaf, nothing is announced.
+// Otherwise, the directions say to shut the door.
 TEST(OpenDoors, are_passed_next_to_the_leaf_or_shut_as_the_directions_say) {
     for (const int wide_units : {34, 36, 64, 80}) {
         SCOPED_TRACE(wide_units);
@@ -239,7 +239,7 @@ TEST(OpenDoors, are_passed_next_to_the_leaf_or_shut_as_the_directions_say) {
     }
 }
 
-// A door that is open from the start behaves like any other door.
+// A door that is open from the start is described and shut like any other door.
 TEST(OpenDoors, that_stay_open_are_described_as_open) {
     test::AppSession p;
     p.app.apply(WorldEntered{make_ready(corridor_with_closet(36, true))}, 0.0);

@@ -15,8 +15,8 @@ using test::SceneBuilder;
 using testing::HasSubstr;
 using testing::Not;
 
-// Makes a hall of 8 by 8 metres with the base in the middle, facing north. It has a cupboard in each quarter, one of
-// them behind a screen, a low bench ahead, and a ticking clock.
+// Makes a hall of 8 by 8 metres with the base in the middle, facing north. The hall has a cupboard in each quarter, one
+// of them behind a screen, a low bench ahead, and a ticking clock.
 SceneBuilder hall() {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {8, 8, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
@@ -84,7 +84,8 @@ TEST(Questions, about_one_direction_find_low_things_and_things_behind_them) {
     EXPECT_THAT(names(look_towards({world, {4, 4, 0}, 0.0}, kPi / 4.0)), testing::ElementsAre("north wall"));
 }
 
-// Compares the answer with a slow method: straight lines to many points of each box that no other box blocks.
+// Compares the answer with a slow method: it draws straight lines to many points of each box, and checks that no other
+// box blocks them.
 TEST(Questions, mention_no_hidden_thing_and_every_thing_with_a_visible_middle) {
     std::mt19937_64 random(test::seed_of_run());
     std::uniform_real_distribution<double> place(-6.0, 6.0), size(0.2, 1.5);
@@ -102,7 +103,8 @@ TEST(Questions, mention_no_hidden_thing_and_every_thing_with_a_visible_middle) {
             }
             const WalkerWorld world(b.share());
             const Vec3 eye(far, 0.0, kLookHeight_m);
-            const auto crosses = [&](const Aabb& box, const Vec3& to) {  // slab test, without the ends of the line
+            // Slab test, which excludes the ends of the line.
+            const auto crosses = [&](const Aabb& box, const Vec3& to) {
                 double enter = 0.0, leave = 1.0;
                 for (int axis = 0; axis < 3; ++axis) {
                     const double way = to[axis] - eye[axis];
@@ -209,7 +211,7 @@ TEST(Coordinates, give_metres_from_the_origin_and_the_height_above_the_surface_b
     EXPECT_FALSE(above_floor_m(world, {40, 4, 1.3}));
 }
 
-// The command keys in a session.
+// In a session, the command keys ask these questions.
 TEST(SessionQuestions, are_answered_in_the_chosen_vocabulary_and_at_the_chosen_level) {
     Settings settings;
     settings.speech.directions = DirectionChoice::Clock;

@@ -1,5 +1,5 @@
-// The walker of a session at every door of our own buildings and of real ones. It walks through each door, on the
-// floors that the file has on either side.
+// Tests that the walker of a session walks through every door of our own buildings and of real ones, on the floors that
+// the file has on either side.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -38,7 +38,7 @@ TEST(RealDoors, can_be_walked_through_in_both_directions_in_a_session) {
         const std::string file = path.filename().string();
         const Result<Scene> scene = read_world(path);
         ASSERT_TRUE(scene) << scene.error().sentence();
-        auto open = std::make_shared<Scene>(*scene);  // the leaves are removed, so that none is in the way
+        auto open = std::make_shared<Scene>(*scene);  // The leaves are removed, so that none blocks the walker.
         std::erase_if(open->solids, [](const Solid& solid) { return solid.role == SolidRole::Mover; });
         open->movers.clear();
         const WalkerWorld world(open);
@@ -62,8 +62,8 @@ TEST(RealDoors, can_be_walked_through_in_both_directions_in_a_session) {
     }
 }
 
-// The result for the doors of a scene with open leaves: how many there are, how many the report names, and which ones a
-// walker could not pass onto a floor.
+// The result for the doors of a scene with open leaves: how many doors there are, how many the report names, and which
+// ones the walker could not pass onto a floor.
 struct DoorsWalked {
     int doors = 0, reported = 0;
     std::string held;  // names of doors that stopped the walker and that the report does not name
@@ -107,7 +107,7 @@ TEST(RealDoors, of_each_model_are_passable_or_reported_with_a_reason) {
         }
 }
 
-// Makes a hut as in a model whose doors have no openings.
+// Makes a hut like that in a model whose doors have no openings.
 test::Hut hut_without_openings() {
     test::Hut hut;
     hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {6.0, 5.0, 0.0}), ",$");

@@ -1,4 +1,5 @@
-// Walks to rooms whose middle cannot be reached from where the person stands, or on whose ceiling a walker could stand.
+// Tests routes to two kinds of rooms: rooms whose middle cannot be reached from where the person stands, and rooms on
+// whose ceiling a walker could stand.
 #include <gtest/gtest.h>
 
 #include <memory>

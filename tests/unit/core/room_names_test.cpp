@@ -1,5 +1,5 @@
-// Names that a person gives to rooms. The person gives them by a key or a typed word. They are stored next to the
-// world, and the session reports those that no longer fit.
+// Tests names that a person gives to rooms by a key or a typed word. They are stored next to the world, and the session
+// reports those that no longer fit.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -31,7 +31,7 @@ struct Person : test::AppSession {
     explicit Person(const fs::path& world) {
         app.apply(WorldEntered{make_ready(test::world_in(world)), SideFile::of_world(world, {})}, now);
         run(0.1);
-        ask(Command::Exits);  // the answer waits until the rooms are known
+        ask(Command::Exits);  // The answer waits until the rooms are known.
     }
     // Gives the room a name by keys only: the key that asks for the name, the letters, and Enter.
     std::string name(const std::string& typed) {
@@ -67,7 +67,7 @@ TEST(NamesOfRooms, that_the_person_gives_are_used_everywhere_and_saved_for_the_n
         p.run(0.1);
         EXPECT_THAT(p.ask(Command::Exits), HasSubstr("to " + sign));
         EXPECT_EQ(p.name("Study"), "This room is now called Study.");
-        EXPECT_EQ(p.name("Library"), "This room is now called Library.");  // the room gets another name
+        EXPECT_EQ(p.name("Library"), "This room is now called Library.");  // This gives the room another name.
     }
     Person p(world.path);
     EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith(sign + ", "));
@@ -129,7 +129,7 @@ TEST(NamesOfRooms, that_no_longer_fit_an_edited_world_are_reported) {
         EXPECT_FALSE(p.heard("fit")) << p.said.back();
         EXPECT_THAT(p.ask(Command::Exits), HasSubstr("Shop. 1 exit"));
     }
-    // Without the wall, there is one room of twice the size, which is neither of the two named rooms.
+    // Without the wall, there is one room of twice the size, which is not taken for either of the two named rooms.
     world.write(two_rooms(160.0));
     {
         Person p(world.path);

@@ -1,5 +1,5 @@
-// Rooms and routes in a session: the name of the room, its exits, and the route to another room, in words and on foot.
-// The rooms are found on a separate thread or at once.
+// Tests rooms and routes in a session: the name of the room, its exits, and the route to another room, in words and on
+// foot. The rooms are found on a separate thread or at once.
 #include <map>
 #include <string>
 #include <thread>
@@ -182,9 +182,10 @@ TEST(RoomsInASession, are_found_in_the_background_while_the_session_continues) {
     EXPECT_TRUE(s.said.back().starts_with("Hall. ")) << s.said.back();
 }
 
-// In virtual time, the rooms arrive when the session asks for results the given number of times, as in a recording.
+// Delivers the rooms in virtual time, as in a recording: they arrive when the session has asked for results the given
+// number of times.
 struct LateRooms {
-    // Other background tasks ask for results too, so several consecutive numbers are given.
+    // Other background tasks ask for results too, so the constructor gives several consecutive numbers.
     explicit LateRooms(std::uint64_t come_with_question)
         : arrivals({come_with_question, come_with_question + 1, come_with_question + 2, come_with_question + 3}) {
         session.app.apply(WorldEntered{make_ready(house())}, 0.0);

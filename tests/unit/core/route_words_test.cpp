@@ -1,4 +1,4 @@
-// Routes in words, and the announcements along a route.
+// Tests routes in words, and the announcements along a route.
 #include "app/core/wayfinding/route_words.h"
 
 #include <gmock/gmock.h>

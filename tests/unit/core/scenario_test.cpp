@@ -64,7 +64,7 @@ TEST_F(ScenarioFile, turns_a_sweep_into_three_moves_per_direction) {
     EXPECT_EQ(s->actions[5].name, "w last");
 }
 
-// For each bad file, the error names the line and what to do. No file is read partially.
+// For each bad file, the error names the line and what to do. Nothing is returned from a bad file.
 TEST_F(ScenarioFile, reports_what_is_wrong_and_where) {
     const std::string head = kHead;
     EXPECT_THAT(error("title = \"t\"\n"), testing::HasSubstr("needs the key \"world\""));
@@ -147,7 +147,7 @@ TEST(RunScenario, gives_the_same_log_every_time) {
     }
 }
 
-// The settings file next to the world applies, as for a person. The settings of the scenario take precedence over it.
+// The settings file next to the world is effective, as for a person. The settings of the scenario override it.
 TEST(RunScenario, respects_the_settings_file_next_to_its_world) {
     const test::TemporaryFolder folder;
     const auto world = folder.path() / "room.map";

@@ -364,7 +364,8 @@ TEST(Session, a_device_plugged_in_later_is_offered_and_accepted_with_the_force_k
     s.tap(Command::ToggleForces);
     EXPECT_FALSE(s.app.hand().tuning.forces_on) << "now it is the force key again";
     EXPECT_EQ(s.app.feet_m(), feet);
-    // Contact time with the new device; together with the old device, it is more than a quarter of an hour.
+    // Contact time with the new device. Together with the contact time of the old device, it is more than a quarter of
+    // an hour.
     s.tool.contact_s = 401.0;
     s.run(0.2);
     EXPECT_THAT(s.said().back(), testing::HasSubstr("15 minutes"));
@@ -461,7 +462,7 @@ TEST(Session, places_moves_and_removes_things_while_everything_continues) {
     EXPECT_FALSE(s.app.send_thing("chest", {}, 1.0));
     EXPECT_FALSE(s.app.send_thing("crate", {}, 0.0));
 
-    // The walker bumps into the thing at its first place and at the place to which it was moved.
+    // The walker bumps into the thing at its first place and, after the thing was moved, at its second place.
     s.app.apply(Placed{{3, 0.6, 0}, 0.0}, s.now);
     s.app.apply(CommandDown{Command::Forward}, s.now);
     s.run(3.0);

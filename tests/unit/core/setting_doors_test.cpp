@@ -1,5 +1,5 @@
-// Every setting, changed by every means that a session offers. After each change, the state, the forces and the
-// person's settings file must be the same.
+// Tests every setting, changed by every means that a session offers. After each change, the state, the forces and the
+// person's settings file must be the same for all means.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -105,8 +105,8 @@ std::string another_value(const SettingInfo& info) {
 
 class SettingDoors : public testing::Test {
 protected:
-    // Makes the change in a new session and returns the state. Restores the language, which the change may have
-    // altered.
+    // Makes the change in a new session and returns the state. Restores the language afterwards, because the change may
+    // have altered it.
     template <class Change>
     static std::map<std::string, std::string> changed_by(const Change& change) {
         const test::InLanguage english("en");
@@ -211,7 +211,7 @@ TEST_F(SettingDoors, change_keys_and_refuse_invalid_values) {
     EXPECT_TRUE(door.app.take_setting_changes().empty());
 }
 
-// Until 2026-11, the session announced and saved the new scale, but the hand stayed in the named scale.
+// Until 2026-11, the session announced and saved the new scale, but the hand stayed at the named scale.
 TEST_F(SettingDoors, leave_a_named_scale_when_a_number_is_set) {
     EXPECT_THAT(set("workspace.scale", "33").at("touch"), testing::StartsWith("33 "));
 }

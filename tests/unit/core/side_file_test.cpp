@@ -1,4 +1,4 @@
-// What a person adds to a world: it is stored next to the world, never lost, and never misread.
+// Tests the storage of what a person adds to a world: it is stored next to the world, never lost, and never misread.
 #include "app/core/kept/side_file.h"
 
 #include <gmock/gmock.h>
@@ -135,7 +135,7 @@ TEST(SideFile, survives_being_cut_or_changed_at_every_byte) {
         else broken[i] = static_cast<char>(random());
         folder.write("a.map.handrail.toml", broken);
         const SideFile read = SideFile::of_world(world, {});
-        // The file is either read, or reported and kept under another name.
+        // Either the session reads the file, or it reports the file and keeps it under another name.
         if (read.news().empty()) EXPECT_LE(read.entries("mark").size(), 1U);
         else EXPECT_FALSE(fs::exists(path));
         for (const SideEntry& entry : read.entries("mark")) {

@@ -1,5 +1,5 @@
-// What is in sight in large worlds, compared with a simple method that uses eight straight lines to every thing. Also
-// tests WalkerWorld objects that share a building.
+// Tests what is in sight in large worlds, and compares it with a simple method that uses eight straight lines to every
+// thing. Also tests WalkerWorld objects that share a building.
 #include <random>
 
 #include "app/core/world/surroundings.h"
@@ -172,7 +172,7 @@ TEST(WalkerWorld, hits_the_same_obstacles_whether_the_building_is_shared_or_priv
     }
 }
 
-// Finds where a path meets each solid alone. For all solids together, the first of these hits counts.
+// Finds where a path meets each solid alone. For all solids together, the result must be the first of these hits.
 TEST(WalkerWorld, reports_the_first_obstacle_that_a_search_of_all_solids_finds) {
     std::mt19937 random(kSeed);
     const Aabb all{Vec3(-6.0), Vec3(6.0)};

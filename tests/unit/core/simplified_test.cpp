@@ -1,5 +1,5 @@
-// Things that are too small to feel at a scale. They are changed for the hand, announced and listed, and everything
-// else stays the same.
+// Tests things that are too small to feel at a scale. They are changed for the hand, announced and listed, and
+// everything else stays the same.
 #include <gmock/gmock.h>
 
 #include <random>
@@ -346,7 +346,7 @@ TEST(Simplified, view_is_bit_identical_with_and_without_threads) {
             EXPECT_THAT(said, HasSubstr("Simplified: ")) << "told when it is felt";
         }
     }
-    // Of many changes, only the last one counts. A session that ends does not wait for any of them.
+    // Of many changes, only the last one is rendered. A session that ends does not wait for any of them.
     for (int i = 0; i < 12; ++i) {
         beside.apply(CommandDown{kScales[static_cast<std::size_t>(i) % 4]}, now);
         beside.apply(CommandUp{kScales[static_cast<std::size_t>(i) % 4]}, now);
@@ -355,8 +355,8 @@ TEST(Simplified, view_is_bit_identical_with_and_without_threads) {
     compare("after many changes");
 }
 
-// The session can find an opened door at its new place, and the walker can see it and walk through it. That is also
-// true after a background task has put that place into the scene.
+// The session can find an opened door at its new place, and the walker can see the door and walk through it. That is
+// also true after a background task has put that place into the scene.
 TEST(Simplified, view_updates_movers_that_came_to_rest_in_the_background) {
     const auto house = test::our_world("house.map");
     Session app({}, Explorer::facts(nullptr), {.executor = on_threads()});
@@ -410,7 +410,7 @@ TEST(Simplified, view_stops_a_fast_hand_at_a_wall_of_a_fifth_of_a_millimetre) {
     }
 }
 
-// True if the hand feels a liquid: the hand is inside it, or within a centimetre of it in hand metres.
+// Returns true if the hand feels a liquid: the hand is inside the liquid, or within a centimetre of it in hand metres.
 bool feels_liquid(const Scene& scene, const Vec3& hip_m, double world_m_per_hand_m) {
     constexpr double kFelt_hand_m = 0.01;
     return std::any_of(scene.solids.begin(), scene.solids.end(), [&](const Solid& solid) {
@@ -429,7 +429,7 @@ void changes_under_the_hand(const std::shared_ptr<const Scene>& world, const cha
     std::mt19937 random(test::seed_of_run());
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     Settings settings;
-    settings.desk.use = false;  // at the desk, changes of the scale would wait
+    settings.desk.use = false;  // At the desk, changes of the scale would wait until the hand has left the desk.
     settings.workspace.rim = false;
     Explorer p(world, device, settings);
     const double reach_m = find_device_spec(device)->workspace_radius_m;

@@ -15,8 +15,8 @@ using test::SceneBuilder;
 
 constexpr Vec3 kEars_m{2.0, 1.0, 1.6};
 
-// Makes two rooms along y with a wall between them from y = 4 to 4.2. Its opening, x 1.5 to 2.5 and z 0 to 2.1, may be
-// filled.
+// Makes two rooms along y with a wall between them from y = 4 to 4.2. The wall has an opening, x 1.5 to 2.5 and z 0 to
+// 2.1, which may be filled.
 SceneBuilder two_rooms() {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {4, 8.2, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
@@ -121,7 +121,7 @@ SceneBuilder closed_room(const std::string& floor, const std::string& walls, con
 }
 
 TEST(Reverberation, follows_sabine_within_10_percent_at_any_place_in_the_room) {
-    // V is 62.4 cubic metres; floor 24, ceiling 24, walls 52 square metres.
+    // V is 62.4 cubic metres. The areas are: floor 24, ceiling 24, walls 52 square metres.
     const double carpeted_s = 0.161 * 62.4 / (24 * 0.35 + 24 * 0.05 + 52 * 0.05),
                  tiled_s = 0.161 * 62.4 / (24 * 0.02 + 24 * 0.03 + 52 * 0.03);
     const WalkerWorld carpeted(closed_room("carpet", "plaster", "plaster").share()),

@@ -1,4 +1,4 @@
-// The list of storeys: the name of each, its number of rooms, and how to get there.
+// Tests the list of storeys: the name of each storey, its number of rooms, and how to get there.
 #include <gmock/gmock.h>
 
 #include "app/core/whereabouts/storeys.h"

@@ -1,5 +1,5 @@
-// The announced sizes of buildings and rooms are those of their walls. Ground that a reader added around a building
-// does not count.
+// Tests that the announced sizes of buildings and rooms are those of their walls. Ground that a reader added around a
+// building is not included.
 #include <cmath>
 #include <numbers>
 

@@ -15,12 +15,13 @@ namespace trail_test {
 
 using test::SceneBuilder;
 
-// A walker that trails until the time is up or the wall ends. The test moves it as Session does, and keeps what it
-// reports.
+// The result of trailing a wall until the time is up or the wall ends. The test moves the walker as Session does, and
+// stores its events.
 struct Trailed {
     std::vector<TrailEvent> events;
     std::vector<Vec3> feet_m;
-    double farthest_from_wall_m = 0.0;  // largest distance of its side from the wall while it reports contact
+    // Largest distance of the walker's side from the wall while the walker reports contact.
+    double farthest_from_wall_m = 0.0;
 };
 
 Trailed go(const WalkerWorld& world, const WalkerSize& body, const Vec3& feet, double heading, TrailSide side,
@@ -94,8 +95,8 @@ TEST(Trail, goes_round_a_room_both_ways_at_any_place_and_never_leaves_the_wall) 
         const auto first = std::find(order.begin(), order.end(), corners.front()) - order.begin();
         for (std::size_t i = 0; i < corners.size(); ++i)
             EXPECT_EQ(corners[i], order[(static_cast<std::size_t>(first) + i) % 4]) << run;
-        // The walker has been along every wall: its path comes as near to each wall as the gap, and is never farther
-        // away from all walls.
+        // The walker has been along every wall: its path comes to within the gap of each wall, and is never farther
+        // than that from all walls.
         double least[4] = {9, 9, 9, 9};
         for (std::size_t i = 120; i < lap.feet_m.size(); ++i) {
             const Vec3 p = lap.feet_m[i] - at;

@@ -1,4 +1,4 @@
-// Two sessions in one world. In the end, the file contains everything that either session has added, changed or
+// Tests two sessions in one world. In the end, the file contains everything that either session has added, changed or
 // deleted, whatever the order in which they save.
 #include <gmock/gmock.h>
 #include <sys/file.h>
@@ -64,7 +64,8 @@ TEST(SideMerge, keeps_both_versions_of_a_conflicting_change_and_reports_the_name
     EXPECT_THAT(names(merged.entries), UnorderedElementsAre("mine", "theirs", "b changed", "c changed"))
         << "a change counts more than a deletion";
     EXPECT_THAT(merged.conflicts, UnorderedElementsAre("mine", "b changed", "c changed"));
-    // If both make the same change, there is no conflict. If both add the same entry, it counts once.
+    // If both sessions make the same change, there is no conflict. If both add the same entry, the result contains that
+    // entry once.
     const MergedEntries alike = merge_entries(base, {entry("x", 1.0), base[1], base[2], entry("new", 9.0)},
                                               {entry("x", 1.0), base[1], base[2], entry("new", 9.0)}, Alike::OneThing);
     EXPECT_THAT(names(alike.entries), ElementsAre("x", "b", "c", "new"));
@@ -122,8 +123,8 @@ public:
     One a, b;
     Values file;
 
-    // The values of an entry are a set. It contains the common values that neither session has removed, and all values
-    // that either session has added. So a change wins over a deletion, and two changes are both kept.
+    // The values of an entry are a set. The set contains the common values that neither session has removed, and all
+    // values that either session has added. So a change wins over a deletion, and two changes are both kept.
     void save(One& s) {
         if (!std::exchange(s.changed, false)) return;
         std::set<int> all;
@@ -283,7 +284,7 @@ TEST(Additions, that_cannot_be_saved_are_reported_each_time_and_saved_once_that_
     const TemporaryFolder folder;
     const fs::path world = folder.path() / "first_room.map", link = folder.path() / "first_room.map.handrail.toml";
     fs::copy_file(test::project_root() / "worlds/maps/first_room.map", world);
-    fs::create_symlink("elsewhere", link);  // no save writes through a link, whichever user runs the test
+    fs::create_symlink("elsewhere", link);  // No save writes through a link, whichever user runs the test.
     Visitor visitor(world);
     EXPECT_THAT(visitor.mark("Coat"), HasSubstr("Not saved yet: Coat"));
     EXPECT_THAT(visitor.mark("Shoes"), HasSubstr("Not saved yet: Shoes")) << "not only the first time";

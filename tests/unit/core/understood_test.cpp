@@ -1,5 +1,5 @@
-// The report on what the reader understood of a building's file: one sentence when the world is entered, and a full
-// list on request.
+// Tests the report on what the reader understood of a building's file: one sentence when the world is entered, and a
+// full list on request.
 #include "app/core/context/telling.h"
 #include "app/core/context/workspace_scale.h"
 #include "app/core/dialogue/words.h"
@@ -49,7 +49,7 @@ TEST(Understood, is_announced_in_one_sentence_on_entering_which_leads_to_the_poi
     EXPECT_NEAR(p.app().guide().goal()->box_m.min_m.y, at_m.y, 1e-9);
 }
 
-// The reader adds eight metres of ground around this house. That ground does not count as part of the building.
+// The reader adds eight metres of ground around this house. The size of the building must not include that ground.
 TEST(SizeOfABuilding, excludes_the_ground_that_the_reader_added_around_it) {
     Explorer p(house_with_odd_room(), "sim-t");
     const Scene& scene = *p.app().scene();

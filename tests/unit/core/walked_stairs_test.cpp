@@ -1,4 +1,4 @@
-// The walker climbs stairs of each form wherever the routes say that it can.
+// Tests that the walker climbs stairs of each form wherever the routes say that it can.
 #include "app/core/world/walker.h"
 #include "tests/support/names.h"
 #include "tests/support/stair_house.h"

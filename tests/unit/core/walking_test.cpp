@@ -1,4 +1,4 @@
-// Moving by ear in a session: keys, words and sounds.
+// Tests moving by ear in a session: keys, words and sounds.
 #include <algorithm>
 
 #include "app/core/scenario/session_log.h"
@@ -187,7 +187,8 @@ TEST(Walking, an_edge_stops_the_walker_until_a_second_request_unless_that_is_swi
     EXPECT_TRUE(w.said("Edge. Drop, 1.2 metres deep"));
     EXPECT_GT(w.sounds(SoundKind::DropNear), 4);
     w.run(1.0);
-    w.hold(Command::Forward, 0.5);  // three seconds after the stop, so it counts as the first press again
+    // This is three seconds after the stop, so the press is again the first press at the edge.
+    w.hold(Command::Forward, 0.5);
     EXPECT_NEAR(w.app.feet_m().y, 4.0, 0.05);
     w.run(0.5);
     w.hold(Command::Forward, 1.5);
@@ -220,8 +221,8 @@ TEST(Walking, callouts_are_switched_off_and_on_by_their_key_and_stay_so) {
     EXPECT_TRUE(w.said("Callouts on"));
 }
 
-// In a level with steps half a metre high, the walker goes for a minute in every direction. It gets round, and the
-// session says little without a request.
+// In a level with steps half a metre high, the walker goes for a minute in every direction. The walker gets round, and
+// the session says little without a request.
 TEST(Walking, game_levels_are_walkable_and_quiet) {
     const auto ours = test::project_root() / "tests/scenarios/worlds/game_step.map";
     for (const auto& file : test::with_real_worlds({ours}, {"agtut01.map", "quake-e1m1.map"})) {

@@ -1,4 +1,5 @@
-// How near a wall is to a walker who walks along it, whatever the wall consists of.
+// Tests how the distance of a walker from a wall is measured while the walker walks along the wall, whatever the wall
+// consists of.
 #include "app/core/world/wall_beside.h"
 
 #include <gtest/gtest.h>

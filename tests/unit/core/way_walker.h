@@ -1,4 +1,4 @@
-// A walker that follows routes. It walks along the last planned route, point after point, and opens the doors before
+// Makes the walker follow routes. It walks along the last planned route, point after point, and opens the doors before
 // which it stands.
 #pragma once
 

@@ -1,6 +1,6 @@
-// Saved routes in a session. A route is planned or walked, and saved under a name next to the world. After a restart,
-// the person hears it, follows it stop by stop by ear and by hand, reverses, changes and deletes it. Also covers
-// damaged files and worlds that were edited meanwhile.
+// Tests saved routes in a session. A person plans or walks a route, and saves it under a name next to the world. After
+// a restart, the person hears the route, follows it stop by stop by ear and by hand, reverses, changes and deletes it.
+// The tests also cover damaged files and worlds that were edited meanwhile.
 #include <gmock/gmock.h>
 
 #include "tests/support/child_process.h"
@@ -47,7 +47,8 @@ struct Person : test::AppSession {
         way(name);
         return line(act);
     }
-    // Returns the entry of the open list that begins with `begin`, as name and value. Empty if there is no such entry.
+    // Returns the entry of the open list that begins with `begin`, as name and value. The result is empty if there is
+    // no such entry.
     std::string item(const std::string& begin) const {
         for (const ListItem& one : app.dialogue().view().items)
             if (one.name.starts_with(begin)) return one.name + ", " + one.value;
@@ -67,7 +68,7 @@ TEST(KeptRoutes, from_a_planned_route_are_walked_stop_after_stop_after_a_restart
         EXPECT_THAT(p.ask(Command::Ways), HasSubstr("You have not kept a route here yet. Control+8 keeps the route"));
         ASSERT_TRUE(p.go_to("Living room")) << p.app.feet_m().x << " " << p.app.feet_m().y;
         p.ask(Command::Routes);
-        p.line("Kitchen");  // planned from the end of the previous route, so both are parts of one route
+        p.line("Kitchen");  // This route is planned from the end of the previous route, so both are parts of one route.
         p.ask(Command::KeepWay);
         EXPECT_EQ(p.item("The route you planned last"), "The route you planned last, Hall, Living room, Kitchen");
         EXPECT_THAT(p.line("The route you planned last"),
@@ -92,7 +93,7 @@ TEST(KeptRoutes, from_a_planned_route_are_walked_stop_after_stop_after_a_restart
     EXPECT_THAT(words, HasSubstr(" to Kitchen."));
 
     EXPECT_THAT(p.way("To the stove", "Follow it by ear"),
-                StartsWith("To Living room. "));  // the first stop is left out, because the walker is already there
+                StartsWith("To Living room. "));  // The first stop is left out, because the walker is already there.
     p.said.clear();
     ASSERT_TRUE(test::walk_along(
         p, [&] { return p.heard("Kitchen. You are there."); }, 120.0))
@@ -100,7 +101,7 @@ TEST(KeptRoutes, from_a_planned_route_are_walked_stop_after_stop_after_a_restart
     EXPECT_TRUE(p.heard("Living room. You are there. To Kitchen. "));
     EXPECT_EQ(p.ask(Command::WhereAmI).substr(0, 9), "Kitchen, ");
     p.ask(Command::Routes);
-    EXPECT_EQ(p.item("Stop following"), "");  // the route has ended
+    EXPECT_EQ(p.item("Stop following"), "");  // The route has ended.
 
     // Follows the route backwards, from its end to its beginning.
     EXPECT_THAT(p.way("To the stove", "Reverse the route"), HasSubstr("To the stove, backwards"));
@@ -153,7 +154,7 @@ TEST(KeptRoutes, from_the_trail_keep_its_corners_and_lead_along_them) {
         p.ask(Command::DropMark);
         p.line("Gate");
         p.ask(Command::KeepWay);
-        EXPECT_EQ(p.item("Everything"), "");  // the walker has not walked yet
+        EXPECT_EQ(p.item("Everything"), "");  // The walker has not walked yet.
         EXPECT_THAT(p.line("Begin a route here"),
                     HasSubstr("A route begins here. Control+8 keeps what you walk from now on."));
         test::steer_along(p.app, detour, [&](double seconds) {
@@ -167,7 +168,7 @@ TEST(KeptRoutes, from_the_trail_keep_its_corners_and_lead_along_them) {
         p.line("What you walked since you began");
         EXPECT_EQ(p.line("Round"), "Route Round kept");
         EXPECT_EQ(p.keep("Everything", "round"),
-                  "Another route is already called round.");  // two routes cannot have the same name
+                  "Another route is already called round.");  // Two routes cannot have the same name.
     }
     Person p(house.path);
     std::vector<Error> faults;
@@ -329,7 +330,7 @@ TEST(KeptRoutes, report_by_name_what_no_longer_fits_an_edited_world_on_entering_
     p.said.clear();
     ASSERT_TRUE(test::walk_along(
         p, [&] { return p.heard("Table. You are there."); }, 60.0));
-    EXPECT_LT(p.app.feet_m().x, 8.3);  // the table ends at x = 7.7 m
+    EXPECT_LT(p.app.feet_m().x, 8.3);  // The table ends at x = 7.7 m.
 }
 
 TEST(KeptRoutes, follow_a_room_that_the_person_renames) {
@@ -406,7 +407,7 @@ TEST(KeptRoutes, guide_the_hand_along_the_corners_of_a_trail) {
     ASSERT_TRUE(p.wait_for(
         [&] {
             east_m = std::max(east_m, p.tool().proxy_m.x);
-            return p.heard("Here: Stairs", before);  // this place is at the end of the hall in the north-west
+            return p.heard("Here: Stairs", before);  // This place is at the end of the hall in the north-west.
         },
         90.0))
         << p.all_heard(before);

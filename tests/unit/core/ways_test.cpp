@@ -1,4 +1,4 @@
-// Saved routes: they are read and written without loss or misreading, looked up again in an edited world, and planned
+// Tests saved routes: they are read and written without loss or misreading, found again in an edited world, and planned
 // through their stops. Trails are reduced to few corners.
 #include "app/core/kept/saved_routes.h"
 
@@ -227,11 +227,11 @@ std::string unfit(const Flat& flat, const SavedRoute& way = to_the_table()) {
 TEST(Ways, are_checked_against_the_world_and_misfits_are_reported_by_name) {
     const Vec3 table(2.4, 3.2, 0);
     EXPECT_EQ(unfit(flat(table)), "");
-    EXPECT_EQ(unfit(flat(table - Vec3(0.3, 0, 0))), "");  // the table has moved by less than half a metre
+    EXPECT_EQ(unfit(flat(table - Vec3(0.3, 0, 0))), "");  // The table has moved by less than half a metre.
     EXPECT_EQ(unfit(flat({})), "Table no longer exists");
     EXPECT_EQ(unfit(flat(table, true)), "no walking route from Table to Far end");
     EXPECT_EQ(unfit(flat(table, false, Vec3(10.9, 2.5, 0))), "there is no place to stand at Far end");
-    EXPECT_EQ(unfit(flat(table, false, Vec3(7.5, 2.5, 0))), "");  // the walker can go round the block
+    EXPECT_EQ(unfit(flat(table, false, Vec3(7.5, 2.5, 0))), "");  // The walker can go round the block.
     // The table is found at another place, and the route leads there.
     const Flat moved = flat(Vec3(9.5, 0.3, 0));
     const FoundRoute found = look_up(to_the_table(), *moved.scene, SideFile(), *moved.navigation, moved.graph);
@@ -253,7 +253,7 @@ TEST(Ways, know_rooms_by_all_their_names) {
     one.graph.rooms[room_at(one.graph, one.navigation->space(), {1, 1, 0})].map_name = "larder";
     EXPECT_EQ(unfit(one, way), "");
     EXPECT_EQ(unfit(one), "");
-    // Now a room on the other side has the name, so the stop is found there.
+    // Another room, on the other side, now has the name, so the stop is found there.
     one = flat(Vec3(2.4, 3.2, 0));
     for (Room& room : one.graph.rooms) room.name = "other";
     give_names(one.graph, one.navigation->space(), {{{11, 2.5, 0}, "Shop"}});

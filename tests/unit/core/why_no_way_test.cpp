@@ -1,4 +1,5 @@
-// If a person requests the route to a room that cannot be reached, the session says why, and what would help.
+// Tests the reason that the session gives if a person requests the route to a room that cannot be reached. The session
+// says why, and what would help.
 #include <gtest/gtest.h>
 
 #include "tests/support/box_scene.h"

@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// Returns a floor with a pillar 3 m north of the base. A pool surrounds the pillar.
+// Returns a floor with a pillar 3 m north of the base and a pool around the pillar.
 std::shared_ptr<const Scene> yard() {
     test::SceneBuilder builder;
     builder.box({-10.0, -10.0, -0.5}, {10.0, 10.0, 0.0}, "floor");

@@ -138,7 +138,7 @@ struct Hunter : test::PlainSession {
         rooms.tick(0.0);
         hunt.enter_world();
     }
-    // Returns where the hidden clock ticks; empty if it does not tick.
+    // Returns where the hidden clock ticks, or no value if the clock does not tick.
     std::optional<Vec3> clock_m() {
         std::vector<CueRequest> sounding;
         Soundscape ears = soundscape;

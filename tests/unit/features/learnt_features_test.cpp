@@ -236,7 +236,7 @@ TEST_F(Remembered, a_file_cut_at_every_byte_is_never_overwritten) {
     for (std::size_t length = 0; length < whole.size(); ++length) {
         folder.write("hall.map.handrail.toml", whole.substr(0, length));
         const SideFile cut = SideFile::of_world(world, {});
-        if (!cut.news().empty()) {  // the damaged file was set aside, and the fault was reported
+        if (!cut.news().empty()) {  // The damaged file was set aside, and the fault was reported.
             std::filesystem::path aside = file;
             aside += ".damaged";
             EXPECT_EQ(test::content_of(aside), whole.substr(0, length));

@@ -1,4 +1,5 @@
-// The state on which the features of a session work. A test sets it up directly, without a session, a servo or a clock.
+// Provides the state on which the features of a session work. A test sets up this state directly, without a session, a
+// servo or a clock.
 #pragma once
 
 #include <algorithm>

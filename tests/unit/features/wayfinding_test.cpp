@@ -360,7 +360,7 @@ TEST(Wayfinding, moves_the_workspace_on_if_the_path_leads_out_of_reach) {
     Hand plain;
     plain.pull(0.0);
     EXPECT_EQ(plain.hand.carry(), Vec3(0.0));
-    plain.hands.tool.hand_m = {0.0, -0.09, 0.0};  // the well is south of the hand
+    plain.hands.tool.hand_m = {0.0, -0.09, 0.0};  // The well is south of the hand.
     EXPECT_LT(plain.hand.carry().y, 0.0);
     EXPECT_TRUE(plain.hand.take_carried());
     plain.hands.tool.hand_m = Vec3(0.0);
@@ -551,7 +551,7 @@ TEST(Wayfinding, reports_passed_stops_and_the_end_as_events) {
     EXPECT_THAT(facts(plain), IsEmpty()) << "once";
 }
 
-// A lesson may lead to a single stop. The stop may be nearer than the distance at which a stop counts as passed.
+// A lesson may lead to a single stop. The stop may be nearer than the distance within which a stop has been passed.
 TEST(Wayfinding, guides_to_the_only_stop_of_a_route_even_if_it_is_near) {
     for (const double away_m : {0.0, 0.2, 1.0, 1.4}) {
         Guided plain;
