@@ -89,7 +89,7 @@ Placement Bodies::middle(std::uint32_t body) const {
 }
 
 // Returns true if the line of sight is free from the eyes to the body's nearest point or to its middle. The body itself
-// does not count as an obstacle.
+// is not an obstacle.
 bool Bodies::in_sight(std::uint32_t body, const Aabb& box_m) const {
     const Vec3 eye = context_.body.feet_m() + Vec3(0.0, 0.0, kLookHeight_m);
     const auto seen = [&](const Vec3& at_m) {

@@ -1,6 +1,6 @@
-// Lets the keys hold a thing. The arrow keys move it in steps, PageUp and PageDown lift and lower it, Comma and Period
-// turn it by 90 degrees, and Enter releases it. The engine moves the thing with no more than the person's strength, so
-// an obstacle stops it. App thread only.
+// Lets the keys hold a thing. The arrow keys move the thing in steps, PageUp and PageDown lift and lower it, Comma and
+// Period turn it by 90 degrees, and Enter releases it. The engine moves the thing with no more than the person's
+// strength, so an obstacle stops the thing. Use this class on the app thread only.
 #pragma once
 
 #include <optional>

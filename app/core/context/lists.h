@@ -1,4 +1,4 @@
-// Opens lists of choices and questions to the person, and announces their first words. App thread only.
+// Opens lists of choices and questions to the person, and announces their first words. Use it on the app thread only.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// Reports an event when a hand begins to touch another thing. App thread only.
+// Reports an event when a hand begins to touch another thing. Use it on the app thread only.
 #pragma once
 
 #include <array>

@@ -61,7 +61,7 @@ struct DeskGrid {
 DeskGrid desk_grid(const device::DeviceSpec& spec);
 // Returns the page of each control.
 std::vector<std::size_t> desk_pages(std::span<const DeskControl> controls, const DeskGrid& grid);
-// Builds one page of the panel. Page numbers beyond the last page start again from the first.
+// Builds one page of the panel. If `page` is beyond the last page, counting continues at the first page.
 DeskPanel lay_out_desk(std::span<const DeskControl> controls, const device::DeviceSpec& spec, std::size_t page);
 
 }  // namespace handrail::core

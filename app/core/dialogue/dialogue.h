@@ -87,7 +87,7 @@ struct ItemAct {
     double number = 0.0;  // the new number, only for Put
 };
 
-// True if `typed` is this name, perhaps after words such as "to" and "the".
+// Returns true if `typed` is this name, perhaps after words such as "to" and "the".
 bool is_called(std::string_view name, std::string_view typed);
 
 class Dialogue {

@@ -1,5 +1,5 @@
 // Interprets a typed line from a console screen reader, a pipe, a script or a test. Every command that has a key can
-// also be typed as a word. Pure functions; any thread.
+// also be typed as a word. Pure functions, which any thread may call.
 #pragma once
 
 #include <optional>

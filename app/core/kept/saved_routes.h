@@ -79,8 +79,8 @@ navigation::Route plan_through(navigation::Navigation& navigation, const Vec3& f
 // Reduces a trail to a few points, including the first and the last. Every point of the trail is within `off_m` of the
 // straight lines between them.
 std::vector<Vec3> corners_of(std::span<const Vec3> trail_m, double off_m);
-// Returns the part of the trail since the person was last at `place_m`. It is empty if the trail never came within
-// `near_m` of that place.
+// Returns the part of the trail since the person was last at `place_m`. The part is empty if the trail never came
+// within `near_m` of that place.
 std::span<const Vec3> trail_since(std::span<const Vec3> trail_m, const Vec3& place_m, double near_m);
 double length_of(std::span<const Vec3> points_m);
 

@@ -85,8 +85,8 @@ public:
     static SideEntry peek(const std::filesystem::path& world, const std::filesystem::path& data_folder, bool shipped,
                           const std::string& name, const settings::TomlReader& toml = settings::toml_of);
 
-    // Returns the table [name] in the text of a side file. The table is empty if it is missing or the text is damaged.
-    // Any thread may call this function.
+    // Returns the table [name] in the text of a side file. The result is empty if the text has no such table or is
+    // damaged. Any thread may call this function.
     static SideEntry table_of_text(const std::string& text, const std::string& name);
 
     // Returns one sentence for each part of the file that could not be read, worded for speech.

@@ -380,7 +380,7 @@ void Walking::tell_slide(const TraceHit& met, double way_m, double now_s) {
 void Walking::tell_step(const WalkerMotion& before, const WalkResult& walked, double now_s) {
     const double step_m = context_.settings.walk.step_length_m;
     since_footstep_m_ += walked.walked_m;
-    // Each riser counts as a step, both up and down.
+    // Each riser plays a footstep, both up and down.
     const bool riser =
         walked.landed || walked.climbed_m > 0.1 ||
         (before.on_ground && body_.walker->state().on_ground && before.feet_m.z - body_.feet_m().z > 0.1);

@@ -19,8 +19,9 @@ namespace handrail::core {
 namespace {
 
 constexpr double kLookRange_m = 30.0;
-constexpr double kNoWay_m = 1e6;         // a distance larger than any distance on foot
-constexpr std::size_t kMostOnFoot = 16;  // number of routes planned for a list; each takes some milliseconds
+constexpr double kNoWay_m = 1e6;  // a distance larger than any distance on foot
+// At most this many routes are planned for a list; each plan costs some milliseconds.
+constexpr std::size_t kMostOnFoot = 16;
 
 // Joins two sentences. If one of them is empty, returns the other one.
 std::string beside(const std::string& first, const std::string& then) {

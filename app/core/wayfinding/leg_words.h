@@ -27,7 +27,7 @@ struct SpokenLeg {
 std::string leg_words(const SpokenLeg& leg, const DistanceWords& how);
 
 // A leg as the person walks it from the present place. `planned_from_m` is where the plan begins the leg, and `notch`
-// is its direction. `goal` is the name of its end if it is the last leg.
+// is the direction of the leg. If it is the last leg, `goal` is the name of its end.
 struct LegAt {
     const navigation::DirectionsLeg& leg;
     int notch = 0;

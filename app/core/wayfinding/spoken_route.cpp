@@ -194,8 +194,8 @@ void SpokenRoute::note_stop(FeatureId by) {
 }
 
 // Returns the door whose leaf blocks the straight line to `to_m`, or whose leaf has just stopped the walker here. A
-// leaf that meets only a shoulder blocks too, even if the plan passes it. The text is empty if there is no such leaf,
-// or if the leaf has stopped the walker so often that it cannot be the only cause.
+// leaf that meets only a shoulder also blocks, even if the plan passes that leaf. The text is empty if there is no such
+// leaf, or if the leaf has stopped the walker so often that it cannot be the only cause.
 std::string SpokenRoute::leaf_in_way(const Vec3& to_m) const {
     constexpr double kHere_m = 0.25, kThatWay_rad = 0.8;
     constexpr int kMostTimes = 4;

@@ -51,8 +51,8 @@ public:
     void tell_leg_unasked(std::string words, bool anew, double now_s);
     void tell_anew(cues::SpeechTopic topic, double now_s);
     void tell_rest(double now_s);
-    // Returns what tell_rest() announces, one text for each leg. Empty if the legs are being planned or no route is
-    // followed.
+    // Returns what tell_rest() announces, one text for each leg. The result is empty if the legs are being planned or
+    // no route is followed.
     std::vector<std::string> rest_of_way();
     // Returns the direction of the announced leg, or no value if no route is followed.
     std::optional<double> leg_heading_rad() const;

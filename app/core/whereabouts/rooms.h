@@ -67,11 +67,10 @@ public:
     void show_plan(bool shown) { drawn_ = shown; }
     const std::shared_ptr<const std::vector<DrawnRoom>>& drawing() const { return drawing_; }
 
-    // The session sets these functions, for features that store things by room.
+    // The session sets these functions, for features that store things by room. `on_renamed` is called when a room was
+    // renamed, with names as in files. An empty name means that the room had or has no stored name.
     std::function<void(double now_s)> on_known;  // called once for each world, when the rooms are known
-    std::function<void(const std::string& before, const std::string& name)>
-        // Called when a room was renamed; `before` and `name` as in files; empty: the room had no stored name.
-        on_renamed;
+    std::function<void(const std::string& before, const std::string& name)> on_renamed;
 
 private:
     void know_leaves();
@@ -84,7 +83,7 @@ private:
 
     bool looked_for_ = false, told_ = false, drawn_ = false, refused_ = false;
     std::shared_ptr<RoomsOfWorld> of_world_;
-    // It is set at the first tick in this world. No value: the search has not begun, or it has ended.
+    // Set at the first tick in this world. It has no value before the search has begun and after the search has ended.
     std::optional<Patience> patience_;
     std::uint32_t here_ = navigation::kNothing;
     std::optional<std::size_t> storey_;  // the last storey on which the walker was in a room

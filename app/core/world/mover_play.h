@@ -1,10 +1,13 @@
 // Moves doors, lifts, buttons, trains and turning parts: it decides which of them move, when they wait and when they
 // return. Plain state and one tick. This class knows no solids and makes no announcements. The caller reports what a
-// step would meet, and announces the events. Use it on the app thread only. docs/map-authors-guide.md explains
-// collisions to authors: a step that would meet a walker or another mover is not made. A mover with two ends then
-// returns to where it came from, at once if it meets a walker, and after kPatience_s if it meets a mover. A train or a
-// turning part waits. The movers move in the order of the list, so if two of them need the same place, the earlier one
-// gets it.
+// step would meet, and announces the events. Use it on the app thread only.
+// Collisions, which docs/map-authors-guide.md explains to authors, follow these rules:
+// - A step that would meet a walker or another mover is not made.
+// - A mover with two ends then returns to where it came from, at once if it meets a walker, and after kPatience_s if
+//   it
+//   meets a mover.
+// - A train or a turning part waits.
+// - The movers move in the order of the list, so if two of them need the same place, the earlier one gets it.
 #pragma once
 
 #include <cmath>

@@ -20,7 +20,7 @@ struct TrailEvent {
         Opening,  // the wall is interrupted and continues after the gap
         Ends,     // the wall has ended
     } kind = Kind::Meets;
-    // For Meets and Corner: what is now at the side; for Opening: what is in the opening, if anything.
+    // For Meets and Corner, this is what is now at the side. For Opening, it is what is in the opening, if anything.
     FeatureId feature = kNoFeature;
     Vec3 place_m{0.0};
     double width_m = 0.0;  // width of an opening

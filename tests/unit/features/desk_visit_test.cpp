@@ -1,4 +1,4 @@
-// Tests the desk without a session. The test provides plain state instead.
+// Tests the desk without a session. The test itself provides the plain state that the desk uses.
 #include "app/core/desk/desk_visit.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Tests lessons without a session. The test provides plain state instead.
+// Tests lessons without a session. The test itself provides the plain state that the lessons use.
 #include "app/core/lessons/lesson_session.h"
 
 #include <gmock/gmock.h>

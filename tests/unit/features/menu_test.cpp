@@ -1,4 +1,4 @@
-// Tests the menu and its lists without a session. The test provides plain state instead.
+// Tests the menu and its lists without a session. The test itself provides the plain state that the menu uses.
 #include "app/core/menu/menu.h"
 
 #include <gmock/gmock.h>
