@@ -35,10 +35,9 @@ struct DeskControl {
     // Returns the value in words: "80 percent". If the function is empty, the control has no value.
     std::function<std::string()> value;
     std::function<int()> position;  // returns the position nearest to the value
-    std::function<int(int)>
-        // Returns the position one step below (-1) or above (+1) the value. If the function is empty, that is the
-        // present position plus the step.
-        beside;
+    // Returns the position one step below (-1) or above (+1) the value. If the function is empty, that is the
+    // present position plus the step.
+    std::function<int(int)> beside;
     std::function<void(int)> put;  // sets the value of this position
     // `number` returns the value as a number, and `nearest` returns the position nearest to a number. If both are
     // empty, the control is a choice, not a quantity.

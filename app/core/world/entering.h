@@ -21,10 +21,9 @@ struct EnteringWorld {
     Vec3 feet_m{0.0};                                           // where the walker starts
     double heading_rad = 0.0;
     std::unique_ptr<WalkerWorld> body;
-    std::shared_ptr<const render::HapticScene>
-        // The scene that the hand feels until the rounded and simplified scene is ready. If it is null, it is made when
-        // the world is entered.
-        sharp;
+    // The scene that the hand feels until the rounded and simplified scene is ready. If it is null, it is made when
+    // the world is entered.
+    std::shared_ptr<const render::HapticScene> sharp;
     RoutesKeeper ways;  // stores the routes and rooms of the world for the next start of the program
 };
 

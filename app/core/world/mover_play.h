@@ -3,9 +3,8 @@
 // step would meet, and announces the events. Use it on the app thread only.
 // Collisions, which docs/map-authors-guide.md explains to authors, follow these rules:
 // - A step that would meet a walker or another mover is not made.
-// - A mover with two ends then returns to where it came from, at once if it meets a walker, and after kPatience_s if
-//   it
-//   meets a mover.
+// - A mover with two ends then returns to where it came from, at once if it meets a walker, and after kPatience_s
+//   if it meets a mover.
 // - A train or a turning part waits.
 // - The movers move in the order of the list, so if two of them need the same place, the earlier one gets it.
 #pragma once
