@@ -21,8 +21,8 @@ struct RelationQuestion {
     double distance_m = 0.0;  // distance of the thing from the base
 };
 // Returns at most three questions about things and doors. Each thing has a unique name and is clearly to one side: at
-// least
-// 1.5 m from the base and within 30 degrees of the direction of that side. The same room gives the same questions.
+// least 1.5 m from the base and within 30 degrees of the direction of that side. The same room gives the same
+// questions.
 std::vector<RelationQuestion> relation_questions(const SessionContext& context, const Rooms& rooms, std::uint32_t room,
                                                  const Vec3& base_m);
 

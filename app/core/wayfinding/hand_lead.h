@@ -43,8 +43,7 @@ public:
 
     // ---- every tick ----
     // Returns true once everything is at rest and a new path to `goal` must be planned and announced. If the person
-    // walks,
-    // turns or moves the workspace, the hand has not left the guidance.
+    // walks, turns or moves the workspace, the hand has not left the guidance.
     bool wants_new_way(const std::optional<Goal>& goal, double now_s);
     // Returns how often the hand has left the path in this lap. The count continues on a new path.
     int errors() const { return led_.errors; }

@@ -31,8 +31,7 @@ public:
 
     // ---- following a saved route ----
     // Begins the route, which must have at least one stop. If `first_passed` is true and there is a second stop, the
-    // route
-    // begins with the second stop.
+    // route begins with the second stop.
     void begin(const std::vector<Stop>& stops, bool first_passed, bool by_hand);
     void end() { run_.reset(); }
     bool running() const { return run_.has_value(); }

@@ -1,7 +1,6 @@
 // Answers what a person asks about a place: what is around, ahead, or in one direction. Only things in line of sight
-// are
-// mentioned: nothing behind a wall or a closed door. Pure functions over an immutable world, in metres and radians, for
-// the app thread.
+// are mentioned: nothing behind a wall or a closed door. Pure functions over an immutable world, in metres and radians,
+// for the app thread.
 // Settings::Speech::verbosity sets how much is said about a thing. 0 is treated as 1, because a person who asks always
 // gets a name:
 //   1 "Door"   2 "Door, 4 steps ahead"; a surface with its material   3 "Door, wood, shut, hinged left, 4 steps ahead"

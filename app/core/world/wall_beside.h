@@ -12,8 +12,7 @@ namespace handrail::core {
 //   a board.
 // - Furniture so near to a wall that nobody can walk between them is part of the wall. Following a bookshelf is like
 //   following the wall behind it.
-// - A pane or door leaf with nothing behind it is assumed to be 0.2 m back in its wall, which is the usual depth. If
-//   a
+// - A pane or door leaf with nothing behind it is assumed to be 0.2 m back in its wall, which is the usual depth. If a
 //   piece of wall next to it shows the true depth, that depth is used.
 inline constexpr double kWallGoesOn_m = 2.5;
 double wall_beside_m(const WalkerWorld& world, const Vec3& feet_m);
