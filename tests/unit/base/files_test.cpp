@@ -100,7 +100,8 @@ TEST(ReadWholeFile, can_be_cancelled_at_any_point) {
     EXPECT_FALSE(read_whole_file(folder.write("some", "bytes"), 100, stop.get_token()));
 }
 
-// A signal arrives again and again. Its handler does nothing, and the kernel does not restart interrupted calls.
+// Interrupts the writing thread with a signal again and again. The signal's handler does nothing, and the kernel does
+// not restart interrupted calls.
 TEST(WriteFileAtomically, does_not_treat_an_interruption_as_an_error) {
     struct sigaction action {
     }, before{};
@@ -191,7 +192,7 @@ TEST(WriteNamedFileAtomically, follows_a_symbolic_link_and_keeps_it_a_link) {
     EXPECT_TRUE(fs::is_symlink(folder.path() / "circle"));
 }
 
-// In somebody else's folder, such a link may lead to any file of the person.
+// In a folder that another user controls, such a link may lead to any file of the person who runs the program.
 TEST(WriteFileAtomically, refuses_a_symbolic_link_and_does_not_change_it_or_its_target) {
     const TemporaryFolder folder;
     const fs::path target = folder.write("diary", "mine");

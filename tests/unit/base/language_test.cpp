@@ -51,7 +51,7 @@ TEST(Phrase, keeps_curly_brackets_and_apostrophes_of_values) {
 
 TEST(InSpokenLanguage, returns_a_text_that_outlives_its_arguments) {
     const std::string& told = in_spoken_language(std::string(100, 'x'), {});
-    const std::string other(100, 'y');  // may reuse the memory of the first string
+    const std::string other(100, 'y');  // This string may reuse the memory of the first one.
     EXPECT_EQ(told, std::string(100, 'x'));
 }
 
@@ -216,7 +216,8 @@ TEST(Phrase, has_a_second_form_for_typed_commands_in_every_language) {
 
 TEST(LanguageOfEnvironment, is_a_bundled_or_custom_language_and_is_found_without_opening_a_file) {
     const test::TemporaryFolder folder;
-    // The program must report this fault only when someone chooses the language.
+    // nl.toml is damaged. language_of_environment() must not report the fault, because it does not open the file. The
+    // program must report it only when someone chooses the language.
     write(folder.path() / "nl.toml", "damaged = \"");
     write(folder.path() / "xx.toml", "");
     test::WithEnvironment environment("LC_ALL", nullptr);

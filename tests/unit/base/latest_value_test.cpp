@@ -13,7 +13,7 @@
 namespace handrail {
 namespace latest_value_test {
 
-// A value so large that a torn copy would show: a complete copy has the same number in every element.
+// A value so large that a torn copy would be noticed: a complete copy has the same number in every element.
 struct Wide {
     std::array<std::uint64_t, 64> words{};
     static Wide of(std::uint64_t number) {

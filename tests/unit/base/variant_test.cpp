@@ -18,7 +18,7 @@ struct CannotBeCopied {
 };
 using Held = CopyableVariant<bool, std::string, std::vector<CannotBeCopied>>;
 
-// In this situation, std::variant would jump to a random address.
+// If copying its value fails, std::variant becomes valueless, and visiting it would jump to a random address.
 TEST(Variant, stays_valid_if_copying_its_value_fails) {
     const Held full(std::vector<CannotBeCopied>(1));
     EXPECT_THROW(Held{full}, int);

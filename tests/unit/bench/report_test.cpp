@@ -93,7 +93,7 @@ TEST(BenchPlots, have_a_title_labels_for_all_points_and_axes_with_units) {
         EXPECT_EQ(svg.find("nan "), std::string::npos) << name;
         EXPECT_EQ(svg.find("\"nan"), std::string::npos) << name;
         EXPECT_EQ(svg.find("inf"), std::string::npos) << name;
-        // As many tags open as close, so none is cut off.
+        // Every tag must open and close, so that no tag is cut off.
         EXPECT_EQ(std::count(svg.begin(), svg.end(), '<'), std::count(svg.begin(), svg.end(), '>')) << name;
     }
 }

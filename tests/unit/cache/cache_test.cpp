@@ -22,7 +22,7 @@ namespace cache_test {
 namespace fs = std::filesystem;
 using test::TemporaryFolder;
 
-// Reads the entry `name`. Returns nothing if the entry is missing or not trustworthy.
+// Returns the content of the entry `name`; empty if the entry is missing or its checks fail.
 std::optional<std::string> taken(const Cache& cache, const std::string& name) {
     const Descriptor file = cache.open(name);
     return file.get() < 0 ? std::nullopt : kept_content(file.get(), name);
@@ -225,8 +225,8 @@ TEST(Cache, that_is_not_writable_stores_nothing_and_fails_nothing) {
     EXPECT_FALSE(nowhere);
 }
 
-// Two processes write and remove the same files under a limit that leaves room for two files. Neither process may ever
-// read half a file.
+// Two processes write and remove the same files at once. The limit of the cache leaves room for two files only. Neither
+// process may ever read half a file.
 TEST(Cache, serves_two_processes_at_once) {
     const TemporaryFolder folder;
     const fs::path in = folder.path() / "handrail";

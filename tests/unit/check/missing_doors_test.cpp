@@ -223,12 +223,12 @@ TEST(MadeDoors, open_the_wall_to_body_and_hand_only_within_the_doorway) {
     EXPECT_TRUE(after.joined(after.room("Kitchen"), after.room("Hall")));
     EXPECT_FALSE(after.joined(after.room("Kitchen"), after.room("Store")));
     EXPECT_EQ(after.graph.rooms.size(), before.graph.rooms.size());
-    // The walker must pass straight through the wall in the new world, but not in the old one.
+    // The walker must pass straight through the door's place in the new world, but not in the old one.
     const Vec3 along(std::sin(door.heading_rad), std::cos(door.heading_rad), 0.0), across(along.y, -along.x, 0.0);
     EXPECT_TRUE(after.space.straight(door.place_m - along * 0.8, door.place_m + along * 0.8));
     EXPECT_FALSE(before.space.straight(door.place_m - along * 0.8, door.place_m + along * 0.8));
-    // The hand must also pass over the whole width and height of the door. To the sides of the door and above it, the
-    // wall must be unchanged.
+    // The hand must also pass through the whole width and height of the door. To the sides of the door and above it,
+    // the wall must be unchanged.
     const auto was = compile_haptic(before.scene, MaterialSource::KeysOnly),
                is = compile_haptic(after.scene, MaterialSource::KeysOnly);
     const auto pushed = [&](const HapticScene& haptic, double right_m, double up_m) {

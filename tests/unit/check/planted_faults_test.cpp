@@ -299,12 +299,13 @@ TEST_P(CopyOfTheSchool, gets_a_report_of_its_planted_fault_with_place_and_advice
     if (planted.kind != FaultKind::NowhereToStand) {
         EXPECT_GT(fault->source.line, 0) << listed(found);
     }
-    // The check may report no unrelated fault. At most, it may report consequences of the planted fault.
+    // The check may report no fault that is unrelated to the planted one. It may report consequences of the planted
+    // fault, but only a few.
     EXPECT_LE(found.faults.size(), planted.state ? 60U : 6U) << listed(found);
 }
 
-// Counts the faults of this kind in a room. A gap of `joint_m` separates the room's wall from the floor. One start is
-// in the air in the upper storey; if `before_door` is true, it belongs to a door.
+// Counts the faults of kind `kind` in a small room. The room's wall begins `joint_m` above the floor. One start is in
+// the air in the upper storey. If `before_door` is true, that start belongs to a door.
 std::size_t count_of(FaultKind kind, double joint_m, bool before_door) {
     test::SceneBuilder b;
     b.box({0, 0, -0.2}, {8, 6, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -334,8 +335,8 @@ TEST(NoFault, is_reported_for_a_start_at_a_balcony_door_or_a_narrow_gap_under_a_
     EXPECT_EQ(count_of(FaultKind::Crack, 0.03, true), 1U);
 }
 
-// Counts the cracks between a wall and another part. The part has the generated name `what` and is `joint_m` away from
-// the wall.
+// Counts the cracks between a wall and another part. The other part has the generated name `what` and is `joint_m` away
+// from the wall.
 std::size_t cracks_beside(const char* what, double joint_m) {
     test::SceneBuilder b;
     b.box({0, 0, -0.2}, {8, 6, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);

@@ -1,5 +1,5 @@
-// Tests what the best route to a place lacks. The small worlds have one obstruction each. A comparison tries walkers of
-// different sizes one by one.
+// Tests what way_lacks() reports about the best route to a place. The small worlds have one obstruction each. The
+// reference tries walkers of different sizes one by one.
 #include "worlds/check/way_lacks.h"
 
 #include <gmock/gmock.h>
@@ -26,8 +26,8 @@ namespace way_lacks_test {
 
 using ::testing::HasSubstr;
 
-// Returns two rooms of 4 by 4 metres next to each other. What a test puts between x = 4 and x = 5 joins or separates
-// the rooms. The floor of the second room is `up_m` higher.
+// Returns two rooms of 4 by 4 metres with a free space between x = 4 and x = 5. Each test puts an obstruction into that
+// space. The floor from x = 5 on is `up_m` higher.
 test::SceneBuilder two_rooms(const Vec3& at, double up_m = 0.0) {
     test::SceneBuilder b;
     const auto wall = [&](const Vec3& from, const Vec3& to) {
@@ -111,7 +111,8 @@ TEST(WayLacks, are_those_of_the_worst_place_on_the_best_route) {
     EXPECT_GT(found.at_m.x, 4.2);
 }
 
-// Computes the walkable area for a walker of this size. Returns whether the walker gets from the start to `there_m`.
+// Computes the walkable area for a walker with these measures. Returns whether this walker gets from the start to
+// `there_m`.
 bool flooded(const Scene& scene, const WalkerMeasures& body, const Vec3& there_m) {
     const Result<WalkSpace> space = make_walk_space(scene, body);
     if (!space) return false;
@@ -197,8 +198,8 @@ TEST(RoomOutOfReach, reports_stairs_that_lead_under_a_floor_without_headroom) {
     EXPECT_THAT(advice, HasSubstr("at least 1.8 metres of headroom"));
 }
 
-// A row of houses. Each has a flight of stairs to its gallery, and a beam over the flight at a different height. For
-// each flight, the check must report only the beam over that flight.
+// A row of houses. Each house has a flight of stairs to its gallery, and a beam over the flight. The beams have
+// different heights. For each flight, the check must report only the beam over that flight.
 TEST(StairsInOneGo, report_for_each_flight_what_blocks_it) {
     constexpr int kHouses = 7, kSteps = 14;
     constexpr double kUp_m = 2.8, kEach_m = 6.0;
@@ -251,7 +252,8 @@ TEST(StairsInOneGo, report_for_each_flight_what_blocks_it) {
         ASSERT_TRUE(told.contains(stairs.value)) << house;
         const WorldFault& fault = told.at(stairs.value);
         EXPECT_EQ(fault.lack, Lack::Headroom) << house;
-        // Part of the walker may still be on the previous or the next step, so the headroom may differ by a step.
+        // Part of the walker may still be on the previous or the next step, so the reported headroom may differ by the
+        // height of a step.
         EXPECT_NEAR(fault.amount, headroom_m[static_cast<std::size_t>(house)], 0.45) << house;
         EXPECT_GT(fault.at_m.y, house * kEach_m) << house;
         EXPECT_LT(fault.at_m.y, house * kEach_m + 4.0) << house;

@@ -160,7 +160,8 @@ TEST(CommandLine, names_the_nearest_option_or_command_in_one_sentence_and_exits_
     EXPECT_THAT(refused({"settings", "--set", "keys.wheer=F5"}), HasSubstr("the nearest is keys.where"));
 }
 
-// Each error must be one sentence that says what to do. It must not contain the wording of the command-line library.
+// Each error message must be one sentence that says what to do. The message must not contain the wording of the
+// command-line library.
 TEST(CommandLine, reports_errors_in_the_commands_for_recordings_worlds_and_learners) {
     EXPECT_THAT(refused({"report"}), HasSubstr("--html OUT.html"));
     EXPECT_THAT(refused({"report", "--html"}), StartsWith("--html needs a value: OUT.html."));
@@ -341,8 +342,8 @@ TEST(CommandLine, prints_help_for_every_command_and_its_version) {
     }
 }
 
-// In the person's locale, one and a half may be written 1,5. The command line and the files must never use that
-// notation.
+// In some locales, one and a half is written 1,5. The command line and the files must use the decimal point even in
+// such a locale.
 TEST(CommandLine, reads_numbers_the_same_way_in_every_locale) {
     const std::string before = std::setlocale(LC_ALL, nullptr);
     if (!std::setlocale(LC_ALL, "de_DE.UTF-8")) GTEST_SKIP() << "no German language setting on this machine";

@@ -1,4 +1,4 @@
-// The terminal and the session must describe devices in the same sentences.
+// Tests that the terminal and the session describe devices in the same sentences.
 #include "app/main/device_facts.h"
 
 #include <gmock/gmock.h>

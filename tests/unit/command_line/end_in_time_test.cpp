@@ -9,7 +9,7 @@
 namespace handrail {
 namespace end_in_time_test {
 
-// Waits for a thread that never ends, as the search for routes seems never to end in a huge building.
+// Blocks forever. The function stands for a thread that searches a huge building for routes and does not end in time.
 void wait_for_ever() {
     std::mutex mutex;
     std::condition_variable never;

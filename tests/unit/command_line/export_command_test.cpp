@@ -86,7 +86,7 @@ TEST(ExportCommand, writes_routes_in_words_for_print_and_for_braille) {
 
 TEST(ExportCommand, exits_with_status_1_and_suggests_help_if_a_sheet_breaks_its_promises) {
     const TemporaryFolder folder;
-    // Two closets off the same hall are too small for signs, so nobody could tell which closet is which.
+    // The hall has two closets. They are too small for signs, so a finger could not tell which closet is which.
     const std::filesystem::path world = folder.path() / "closets.rooms";
     std::ofstream(world) << "Storey: Ground, 3 metres high.\n"
                             "Hall, 60 by 40 metres. Door outside in the middle of the south wall.\n"
@@ -106,7 +106,8 @@ TEST(ExportCommand, exits_with_status_1_and_suggests_help_if_a_sheet_breaks_its_
 
 TEST(ExportCommand, offers_no_coarser_plan_that_does_not_help) {
     const TemporaryFolder folder;
-    // The rooms also need signs on a coarse plan. They are too narrow for signs together with wide doors.
+    // The two rooms need signs on a coarse plan, too. The plan has no space for both a sign and the wide door of such a
+    // narrow room.
     const std::filesystem::path world = folder.path() / "stores.rooms";
     std::ofstream(world) << "Storey: Ground, 3 metres high.\n"
                             "Hall, 60 by 40 metres. Door outside in the middle of the south wall.\n"
@@ -142,7 +143,7 @@ TEST(ExportCommand, replaces_files_only_on_request_and_then_all_of_them) {
     EXPECT_EQ(*read_whole_file(pdf), "mine");
     EXPECT_EQ(run({house(), "--swell", pdf.string(), "--storey", "2", "--force"}).status, 0);
     EXPECT_EQ(read_whole_file(pdf)->substr(0, 5), "%PDF-");
-    // A file with the name of the key exists already, so the command must not write the sheet.
+    // The file for the key already exists, so the command must not write the sheet either.
     std::ofstream(folder.path() / "s-key-1.svg") << "mine";
     EXPECT_EQ(run({house(), "--swell", (folder.path() / "s.svg").string()}).status, 1);
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "s.svg"));

@@ -1,4 +1,4 @@
-// In virtual time, tests how commands report long work. Quick work must not be reported. During longer work, a waiting
+// Tests in virtual time how commands report long work. Short work must not be reported. During longer work, a waiting
 // person must get a sentence every few seconds. Every command must report what it is doing.
 #include "app/main/long_work.h"
 
@@ -91,7 +91,7 @@ TEST(LongWork, costs_nothing_without_an_observer) {
     EXPECT_THAT(told_from(nobody, 0.0, 10.0), IsEmpty());
 }
 
-// Returns the stages that a command reports, in order. The command must report the last one before it writes its
+// Returns the stages that a command reports, in order. The command must report the last stage before it writes its
 // output.
 std::vector<std::string> stages(const std::function<int(std::ostream&, std::ostream&, const LongWork&)>& command) {
     std::ostringstream out, err;

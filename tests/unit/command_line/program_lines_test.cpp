@@ -85,7 +85,7 @@ TEST(ProgramLines, of_a_person_are_performed_while_another_world_is_being_read) 
         Typed typed(std::make_shared<const Scene>(*house), by_person);
         typed.run(0.5);
         const Vec3 begun_m = typed.app.feet_m();
-        // `typed.worlds` counts as reading the world until somebody checks whether the world is ready.
+        // `typed.worlds` reports that it is reading the world until somebody queries whether the world is ready.
         typed.app.requests().world = WorldRequest{test::bundled_world("school.map")};
         typed.worlds.change(typed.now);
         ASSERT_TRUE(typed.worlds.reading());

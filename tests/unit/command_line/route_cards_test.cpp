@@ -1,4 +1,4 @@
-// A route card must print exactly the legs of the route that a session announces to a person at the base.
+// Tests that a route card prints exactly the legs of the route that a session announces to a person at the base.
 #include "app/main/route_cards.h"
 
 #include <fmt/ranges.h>
@@ -18,7 +18,7 @@
 namespace handrail::test {
 namespace route_cards_test {
 
-// A person at the base, who chooses a route in the list of rooms and requests all its legs.
+// Simulates a person at the base who chooses a route in the list of rooms and requests all its legs.
 class Walker {
 public:
     explicit Walker(const std::shared_ptr<const Scene>& scene) : session_(Settings{}, HandFacts{}) {

@@ -59,7 +59,7 @@ TEST(CompileDynamics, creates_bodies_for_free_things_and_leaves_the_rest_driven)
     EXPECT_NEAR(made->bodies[0].inertia_kg_m2.x, 4.0 * 2 * 0.16 / 12.0, 1e-12);
     EXPECT_NEAR(made->bodies[1].inertia_kg_m2.x, report.mass_kg[1] * 2 * 0.64 / 12.0, 1e-9);
     EXPECT_NEAR(made->bodies[0].start.position_m.z, 0.5 - 100.0, 1e-12) << "local to the origin";
-    // The body of the dynamics must be where the hand feels the crate.
+    // The body of the physics engine must be at the place where the hand feels the crate.
     const auto felt = compile_haptic(scene, MaterialSource::KeysOnly);
     const Placement thing = thing_of(made->bodies[1], made->bodies[1].start);
     EXPECT_LT(glm::length(thing.position_m + made->origin_m - felt->bodies[2].start.position_m), 1e-12);

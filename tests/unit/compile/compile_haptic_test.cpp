@@ -92,7 +92,8 @@ TEST(CompileHaptic, applies_textures_and_shading_to_moving_and_static_things_ali
     EXPECT_EQ(replayed->bodies[0].shape->shading.highest_m, 0.0) << "a replay meets the facets";
     ASSERT_EQ(felt->relief_axis.size(), 1U);
     EXPECT_EQ(felt->relief_axis[0], 0) << "along its own x";
-    // The relief pattern is fixed to the body. So the body's place must not change the force at a point of the body.
+    // The relief pattern is fixed to the body. So a body at another place must exert the same force at the same point
+    // of the body.
     const auto press = [&](const Vec3& moved_m) {
         TouchState state;
         TouchTuning tuning;

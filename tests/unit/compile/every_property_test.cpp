@@ -1,5 +1,5 @@
-// Uses the map that has every property that a world can have. The reader must read each property without a warning, and
-// the hand must feel it.
+// Reads the map that has every property that a world can have. The reader must read each property without a warning,
+// and the hand must feel each property.
 #include <optional>
 
 #include "haptic/compile/compile_haptic.h"
@@ -28,8 +28,8 @@ protected:
         scene.reset();
     }
 
-    // Returns the force on a hand that rests at `at_m` for `rest_ticks` and then moves by `step_m` in each of
-    // `move_ticks`. Computed as the `touch` command does, at scale 1.
+    // Computes the force on a hand that rests at `at_m` for `rest_ticks` and then moves by `step_m` in each of
+    // `move_ticks`. Computes it as the `touch` command does, at scale 1. Returns the force in newtons.
     static Vec3 felt(const Vec3& at_m, int rest_ticks = 1, const Vec3& step_m = Vec3(0.0), int move_ticks = 0) {
         TouchState state;
         TouchResult r;

@@ -1,6 +1,6 @@
-// Tests meshes that are prepared for touch. Joined triangles must cover the same area as before. Other triangles must
-// cover the dropped ones. A simplified mesh must be as near to the original as stated. The meshes are random
-// triangulations of planes, boxes, prisms and terrain, rotated, moved and shuffled.
+// Tests meshes that are prepared for touch. Joined triangles must cover the same area as before. If a triangle is
+// dropped, others must cover its area. A simplified mesh must be as near to the original as stated. The meshes are
+// random triangulations of planes, boxes, prisms and terrain, rotated, moved and shuffled.
 #include "haptic/compile/prepare_mesh.h"
 
 #include <array>
@@ -79,7 +79,7 @@ void box(Soup& soup, const Vec3& low, const Vec3& high) {
     }
 }
 
-// Returns the triangles in random order, each beginning with a random corner, after the motion.
+// Moves all triangles by `motion`. Returns them in random order, each beginning with a random corner.
 Soup stirred(const Soup& soup, std::mt19937& random, const Motion& motion) {
     std::vector<std::size_t> order(soup.size() / 3);
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -115,7 +115,7 @@ double distance_to(const Soup& soup, const Vec3& p) {
     return static_cast<double>(nearest);
 }
 
-// Returns the greatest distance of random points on `from` from `to`, in metres.
+// Returns the greatest distance in metres between a random point on `from` and the mesh `to`.
 double farthest(const Soup& from, const Soup& to, std::mt19937& random, int samples) {
     double most = 0.0;
     for (int i = 0; i < samples; ++i) {
@@ -228,7 +228,7 @@ TEST(PrepareMesh, merges_only_triangles_of_one_surface) {
     Soup soup;
     grid(soup, random, 10, 2, 0, [](const Vec2&) { return 0.0; });
     std::vector<std::uint32_t> surfaces;
-    // The surface of each triangle: two rows of triangles.
+    // The first of two rows of triangles has surface 1, the second surface 2.
     for (std::size_t t = 0; t < soup.size() / 3; ++t) surfaces.push_back(t < 20 ? 1 : 2);
     const PreparedMesh mesh = prepare_mesh(soup, surfaces, {});
     EXPECT_TRUE(mesh.mesh.triangles.empty() || mesh.surfaces.size() == mesh.mesh.triangles.size());
@@ -481,7 +481,8 @@ TEST(PrepareMesh, keeps_touch_within_a_micrometre_of_the_original_mesh) {
                 const TouchResult a = touch_tick(raw_state, *raw, tuning, goal, 1e-3),
                                   b = touch_tick(merged_state, *merged, tuning, goal, 1e-3);
                 same = same && a.contacts.converged &&
-                       !a.contacts.capped;  // after the speed cap stopped a proxy, it may be elsewhere
+                       // After the speed cap stopped one of the proxies, the two may be at different places.
+                       !a.contacts.capped;
                 if (!same) break;
                 ++compared;
                 touching += b.contacts.count > 0;
@@ -493,7 +494,7 @@ TEST(PrepareMesh, keeps_touch_within_a_micrometre_of_the_original_mesh) {
     }
 }
 
-// Slivers with aspect ratios of 1e3 to 1e7 in a plane, as in the hard case of that name. Joined, they form the plane.
+// Slivers with aspect ratios of 1e3 to 1e7 in a plane, as in the hard case of that name. Joining them gives the plane.
 TEST(PrepareMesh, makes_a_plane_of_sliver_triangles_feel_like_a_plane) {
     constexpr double b = 0.1, r = 0.005;
     for (const double aspect : {1e3, 1e5, 1e7})

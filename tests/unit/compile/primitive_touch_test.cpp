@@ -1,5 +1,5 @@
-// Tests exact shapes from the scene to the hand. Each shape must become the matching obstacle. A moved, rotated and
-// scaled shape must exert the moved, rotated and scaled force.
+// Tests exact shapes from the scene to the force on the hand. Each shape must become the matching obstacle. If a shape
+// is moved, rotated and scaled, its force must change accordingly.
 #include <random>
 
 #include "haptic/compile/compile_haptic.h"
@@ -46,11 +46,11 @@ TEST(CompileHaptic, turns_every_exact_shape_into_its_obstacle_whether_static_or_
         << "a turned box is a brush";
 }
 
-// Compares force and proxy along a hand path. The results of the placed shape are transformed back into the shape's own
-// frame.
+// Compares the force and the proxy along a hand path, once at the original shape and once at the placed shape. The
+// results at the placed shape are transformed back into that shape's own frame.
 TEST(CompileHaptic, moved_turned_and_scaled_shapes_push_like_the_transformed_originals) {
     const std::uint32_t seed0 = test::seed_of_run();
-    std::size_t touched = 0;  // contacts of all rounds together, because a single path may miss a thin shape
+    std::size_t touched = 0;  // contacts of all rounds together; a single path may miss a thin shape
     for (int round = 0; round < scaled(20); ++round) {
         std::mt19937 random(seed0 + static_cast<std::uint32_t>(round));
         const auto kind = static_cast<PrimitiveKind>(round % 5);
@@ -88,8 +88,8 @@ TEST(CompileHaptic, moved_turned_and_scaled_shapes_push_like_the_transformed_ori
             differ += difference_n > 1e-5 ? 1 : 0;
             worst_m = std::max(worst_m, glm::length(frame.to_own(other.proxy_m) - one.proxy_m));
         }
-        // The solver's iterations end within 1e-8 m of the world, and friction preserves that error. Rims and tips
-        // multiply the error, and so does a hand that is about to slip off.
+        // The solver's iterations end within 1e-8 m of the exact solution, measured in the world. Friction preserves
+        // that error. Rims and tips multiply the error, and so does a hand that is about to slip off.
         const bool edges = kind != PrimitiveKind::Sphere && kind != PrimitiveKind::Capsule;
         EXPECT_LE(worst_n, 0.1) << "seed " << seed0 + static_cast<std::uint32_t>(round) << " kind "
                                 << static_cast<int>(kind);

@@ -15,13 +15,14 @@
 namespace handrail {
 namespace simplify_scene_test {
 
-// Scale of the building. At this scale, the hand feels gaps of at least 1.6256 m and things of at least 0.8128 m.
+// Scale of the building. At this scale, the hand can feel only gaps of at least 1.6256 m and things of at least 0.8128
+// m.
 constexpr double kBuilding = 254.0;
 
 SimplifyOptions at_scale(double scale) { return {scale, {}, {}}; }
 
-// Two rooms of 8 by 6 metres, south and north of a wall of 0.2 m. The wall has a doorway of 0.9 m with a door. The
-// lintel is at 2.1 m and the ceiling at 2.6 m.
+// A building with two rooms of 8 by 6 metres, south and north of a wall that is 0.2 m thick. The wall has a doorway of
+// 0.9 m with a door. The lintel is at 2.1 m and the ceiling at 2.6 m.
 struct TwoRooms {
     explicit TwoRooms(double door_low_m = 3.5, const Vec3& at_m = Vec3(0.0), bool with_door = true)
         : low_m(door_low_m), zero_m(at_m) {
@@ -228,7 +229,8 @@ TEST(SimplifyScene, widens_doorless_openings_only_at_the_given_places) {
     TwoRooms rooms(3.5, Vec3(0.0), false);
     EXPECT_TRUE(plan_simplification(rooms.scene(), at_scale(kBuilding)).openings.empty());
     SimplifyOptions options = at_scale(kBuilding);
-    options.openings_m = {{4.1, 6.15, 0.0}, {2.0, 3.0, 0.0}};  // the second place is in the middle of a room
+    // The first place is the doorway; the second is in the middle of a room.
+    options.openings_m = {{4.1, 6.15, 0.0}, {2.0, 3.0, 0.0}};
     const Simplification plan = plan_simplification(rooms.scene(), options);
     ASSERT_EQ(plan.openings.size(), 1U);
     EXPECT_EQ(plan.openings[0].place, 0);
@@ -277,7 +279,7 @@ TEST(SimplifyScene, widens_a_doorway_above_a_hole_in_the_floor) {
     std::erase_if(rooms.scene().solids, [](const Solid& s) { return s.shape.bounds_m.max_m.z == 0.0; });
     rooms.wall({0, 0, -0.4}, {8, 6, 0}, FeatureKind::Floor);
     rooms.wall({0, 6.2, -0.4}, {8, 12.2, 0}, FeatureKind::Floor);
-    rooms.wall({0, 6, -3}, {8, 6.2, -0.4});  // this is the wall of the storey below
+    rooms.wall({0, 6, -3}, {8, 6.2, -0.4});  // the wall of the storey below
     const Simplification plan = plan_simplification(rooms.scene(), at_scale(kBuilding));
     ASSERT_EQ(plan.openings.size(), 1U);
     EXPECT_NEAR(plan.openings[0].felt_width_m(), 0.0064 * kBuilding, 1e-9);

@@ -112,7 +112,7 @@ protected:
     CuePlanner planner{Settings{}};
 };
 
-// A planner whose voice takes realistic time: 240 words a minute, so a word lasts 0.25 s.
+// A planner whose voice takes as long as a real voice: 240 words a minute, so a word lasts 0.25 s.
 class CuePlannerWithVoice : public CuePlannerTest {
 protected:
     CuePlannerWithVoice() : CuePlannerTest(240.0) {}
@@ -197,7 +197,7 @@ TEST_F(CuePlannerTest, nothing_is_spoken_twice_within_5_s) {
 }
 
 TEST_F(CuePlannerTest, chatter_of_one_feature_within_50_ms_sounds_once) {
-    for (int i = 0; i < 8; ++i) {  // one touch every 5 ms
+    for (int i = 0; i < 8; ++i) {  // the hand touches the wall every 5 ms
         begin(kNorth);
         tick({event(ContactEventKind::End, kNorth)});
         now_s -= 0.005;
@@ -216,7 +216,7 @@ TEST_F(CuePlannerTest, a_corner_gives_two_knocks_and_only_the_newest_name) {
 }
 
 TEST_F(CuePlannerTest, hand_trembling_between_two_surfaces_still_hears_a_name_within_120_ms) {
-    // The hand changes the surface every 5 ms for 120 ms.
+    // The hand changes from one surface to the other every 5 ms for 120 ms.
     for (int i = 0; i < 24; ++i) begin(i % 2 == 0 ? kNorth : kFloor);
     EXPECT_THAT(said(), ::testing::Not(IsEmpty()));
 }
@@ -414,8 +414,8 @@ TEST_F(CuePlannerTest, fault_sounds_and_speaks_as_an_alarm) {
     EXPECT_THAT(heard(), ElementsAre(SoundKind::Alarm));
 }
 
-// In this test, speech takes time. The message that a device may push must interrupt earlier messages about that device
-// instead of waiting behind them.
+// In this test, speech takes time. The warning that a device may push must interrupt earlier messages about that device
+// instead of waiting for them to end.
 TEST_F(CuePlannerWithVoice, a_warning_that_a_device_may_push_waits_for_no_other_alarm) {
     ContactEvent fault = event(ContactEventKind::FaultRaised, kNoFeature.value);
     fault.fault = Fault::DeviceSilent;
@@ -654,7 +654,7 @@ TEST_F(CuePlannerWithVoice, the_sound_dictionary_speaks_the_name_first_and_then_
     EXPECT_EQ(audio.world_sounds().size(), 1U);
     wait(0.6);
     EXPECT_TRUE(audio.world_sounds().empty()) << "a loop ends by itself";
-    // The key that stops speech must also end the sound immediately, and discard the sounds that were waiting.
+    // The key that stops speech must also end the loop immediately, and discard the sounds that wait to be played.
     tick({}, {shown});
     wait(1.5);
     EXPECT_EQ(audio.world_sounds().size(), 1U);

@@ -1,4 +1,4 @@
-// Every sound and every material must have texts in every language.
+// Tests that every sound and every material has texts in every language.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace sound_texts_test {
 TEST(SoundTexts, exist_for_every_sound_and_material_and_for_nothing_else) {
     std::set<std::string> wanted;
     for (const SoundInfo& row : sound_table()) {
-        if (row.kind == SoundKind::Contact) continue;  // the texts describe this sound for each material instead
+        if (row.kind == SoundKind::Contact) continue;  // the texts describe the contact sound for each material instead
         std::string key = "sound." + std::string(row.name);
         std::replace(key.begin(), key.end(), ' ', '_');
         wanted.insert(key);
@@ -41,7 +41,7 @@ TEST(SoundTexts, are_spoken_in_german_while_scenarios_keep_their_names) {
     EXPECT_EQ(all.back().text, "Berührung: Gitter.");
 }
 
-// Formerly, if a sound was ahead to one side, the program announced the key of a missing text.
+// Formerly, if a sound was ahead to one side, the program announced the key of a text that did not exist.
 TEST(SoundTexts, give_the_direction_of_a_sound_in_words_all_round) {
     for (const LanguageName& language : bundled_languages()) {
         const test::InLanguage spoken(language.code);

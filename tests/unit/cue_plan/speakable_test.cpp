@@ -19,7 +19,7 @@ TEST(Speakable, joins_several_lines_into_one) {
 
 TEST(Speakable, reads_invalid_utf8_as_latin_1) {
     EXPECT_EQ(speakable("Caf\xe9"), "Café");
-    EXPECT_EQ(speakable("\xc0\xaf"), "À¯");  // an overlong slash does not count as a slash
+    EXPECT_EQ(speakable("\xc0\xaf"), "À¯");  // an overlong encoding of a slash must not become a slash
     // Truncated sequence: 9d is a control character in Latin-1, so it is dropped.
     EXPECT_EQ(speakable("\xe6\x9d"), "æ");
     // A surrogate is not a character, and 80 is a control character.

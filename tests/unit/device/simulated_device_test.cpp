@@ -11,7 +11,8 @@ namespace simulated_device_test {
 
 constexpr double kTick = 1e-3;
 
-// Returns a device without encoder steps and delay, so that formulas can predict how the simulated hand moves.
+// Returns the specification of a device without encoder steps and delay, so that formulas can predict how the simulated
+// hand moves.
 DeviceSpec plain_spec() {
     DeviceSpec spec = ideal_device_spec();
     spec.workspace_radius_m = 1e3;
@@ -52,7 +53,7 @@ TEST(SimulatedDevice, move_sets_the_exact_position_against_any_force) {
 
 TEST(SimulatedDevice, move_with_a_speed_goes_straight_at_that_speed_and_stops_at_the_target) {
     Bench bench(*find_device_spec("sim-t"));
-    const Vec3 target(0.03, 0.04, 0.0);  // at a distance of 50 mm: 500 ticks at 0.1 m/s
+    const Vec3 target(0.03, 0.04, 0.0);  // the target is 50 mm away: 500 ticks at 0.1 m/s
     bench.hand->command.publish({HandMode::Move, target, 0.1, Vec3(0.0), 0});
     for (int i = 1; i < 500; ++i) {
         const DeviceSample sample = bench.tick();
@@ -67,7 +68,7 @@ TEST(SimulatedDevice, push_accelerates_a_hand_towards_push_over_damping) {
     Bench bench(plain_spec());
     bench.hand->command.publish({HandMode::Push, Vec3(0.0), 0.0, Vec3(0.35, 0, 0), 0});
     for (int i = 0; i < 2000; ++i) bench.tick();
-    // The speed is 0.35 N minus 0.05 N of dry friction, divided by 3 Ns/m.
+    // The resulting speed is 0.35 N minus 0.05 N of dry friction, divided by 3 Ns/m.
     EXPECT_NEAR(bench.truth().velocity_m_per_s.x, 0.1, 1e-4);
     EXPECT_NEAR(bench.truth().velocity_m_per_s.y, 0.0, 1e-12);
 }
@@ -84,7 +85,8 @@ TEST(SimulatedDevice, rest_uses_a_soft_spring_and_follow_a_stiff_one) {
         Bench bench(plain_spec());
         bench.hand->command.publish({mode, Vec3(0.0), 0.0, Vec3(0.0), 0});
         for (int i = 0; i < 5000; ++i) bench.tick(Vec3(0, 1, 0));
-        // The motors push with 1 N. The dry friction adds to it or takes from it.
+        // The motors push with 1 N. The dry friction, which may act in either direction, adds to that force or reduces
+        // it.
         EXPECT_NEAR(bench.truth().position_m.y, 1.0 / stiffness, 0.0501 / stiffness);
     }
 }
@@ -181,7 +183,7 @@ TEST(SimulatedDevice, gives_bit_identical_samples_for_identical_commands) {
     EXPECT_EQ(run(), run());
 }
 
-// The axes of the hand must match those of the world.
+// Right, forward and up on the device must be east, north and up in the world.
 TEST(SimulatedDevice, right_forward_up_are_east_north_up_and_a_force_to_the_east_pushes_right) {
     for (int axis = 0; axis < 3; ++axis) {
         auto hand = std::make_shared<SimulatedHand>();

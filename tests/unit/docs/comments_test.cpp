@@ -1,4 +1,4 @@
-// Keeps the comments of the code readable: no odd turns of speech, and correct spelling. The rules are in
+// Checks that the comments of the code are readable: no odd turns of speech, and correct spelling. The rules are in
 // docs/developer/language.md.
 #include <map>
 #include <regex>
@@ -94,8 +94,8 @@ TEST(Comments, have_none_of_the_listed_patterns) {
     });
 }
 
-// Names of people, programs and code are in words_code.txt. Words of the language are in words_en.txt, which the
-// documents use, too.
+// The names of people, programs and code are in words_code.txt. Other permitted words are in words_en.txt, which the
+// tests of the documents use, too.
 TEST(Comments, are_spelled_as_the_dictionary_or_the_word_lists_have_it) {
     if (!test::has_dictionary("en_GB")) GTEST_SKIP() << "needs hunspell and hunspell-en-gb: the spelling of comments";
     // The test skips code and quoted texts. It also skips words with digits, underscores or inner capitals, and words

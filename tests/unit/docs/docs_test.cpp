@@ -1,4 +1,4 @@
-// The guides must match the code. The tests compare the tables of the guides with the tables in the code, row by row.
+// Tests that the guides match the code. Compares the tables of the guides with the tables in the code, row by row.
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -122,8 +122,8 @@ TEST(MapAuthorsGuide, lists_every_effect_with_its_ranges) {
     EXPECT_THAT(table_rows("map-authors-guide/touch.md", "| Effect | Strength |"), UnorderedElementsAreArray(expected));
 }
 
-// The reader queries keys by name. Every name that it queries must have a line in the guide, and the reader must query
-// the name of every line.
+// The map reader queries keys by name. Every name that the reader queries must have a line in the guide, and every line
+// of the guide must be about such a name.
 TEST(MapAuthorsGuide, lists_every_key_that_the_map_reader_reads) {
     static const std::regex kAsked(
         R"re((?:(?:entity_?\.find|entity\.value|text_of|yes_no_of|number_of|side_of|vector_of|)re"
@@ -135,7 +135,8 @@ TEST(MapAuthorsGuide, lists_every_key_that_the_map_reader_reads) {
     std::set<std::string> asked;
     for (auto it = std::sregex_iterator(source.begin(), source.end(), kAsked); it != std::sregex_iterator(); ++it)
         asked.insert((*it)[1]);
-    asked.erase("_external_map");  // this key belongs to another program; Handrail omits what it names and says so
+    // This key belongs to another program; the reader omits the map that it names and reports that.
+    asked.erase("_external_map");
     EXPECT_GE(asked.size(), 10U) << "the reader's source was not understood";
     std::set<std::string> listed;
     static const std::regex kKey("`([a-z_]+)`");
@@ -217,7 +218,7 @@ TEST(Documents, have_fewer_than_400_lines_and_one_title_each) {
     }
 }
 
-// The line that follows a table in docs/results: "Measured 2026-11-24, a machine, with a command."
+// Checks the line that follows each table in docs/results, such as "Measured 2026-11-24, a machine, with a command."
 TEST(Results, state_for_each_table_when_where_and_with_what_it_was_measured) {
     static const std::regex kMeasured(R"re(^Measured \d{4}-\d\d-\d\d, [^`]+, with ([^`]*`[^`]+`.*|the .*column)\.$)re");
     std::size_t tables = 0;
@@ -232,7 +233,7 @@ TEST(Results, state_for_each_table_when_where_and_with_what_it_was_measured) {
             if (!row && inside) {
                 ++tables;
                 EXPECT_TRUE(line.empty()) << page << ": an empty line ends the table " << head;
-                line.clear();  // the paragraph may be wrapped
+                line.clear();  // joins the lines, because the paragraph may be wrapped
                 for (std::string part; std::getline(lines, part) && !part.empty();)
                     line += (line.empty() ? "" : " ") + part;
                 EXPECT_TRUE(std::regex_match(line, kMeasured)) << page << ", after the table " << head << ": " << line;

@@ -1,5 +1,5 @@
-// README.md shows the first minute of a session. The test plays that minute from its scenario and compares it with the
-// page. If HANDRAIL_WRITE_TRANSCRIPTS is set, the test writes the page instead.
+// README.md shows the first minute of a session. Plays that minute from its scenario and compares it with the page. If
+// HANDRAIL_WRITE_TRANSCRIPTS is set, writes the page instead.
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -49,7 +49,7 @@ std::string paragraph(const std::string& deed, double from_s, double to_s, const
     std::set<SoundKind> loops;
     for (const HeardSound& sound : audio.sounds())
         if (sound.time_s >= from_s && sound.time_s < to_s) hear(name_of(sound.cue));
-    // Names a lasting sound when it begins.
+    // A lasting sound is named only when it begins.
     for (const HeardSound& sound : audio.loop_changes())
         if (sound.time_s >= from_s && sound.time_s < to_s && sound.cue.loudness > 0.0 &&
             loops.insert(sound.cue.kind).second && !going_on.contains(sound.cue.kind))

@@ -1,4 +1,4 @@
-// README.md shows five lines that use the library. The test compiles and runs them here and compares them with the
+// README.md shows five lines that use the library. Compiles and runs the same lines here, and compares them with the
 // page.
 #include <cmath>
 #include <fstream>

@@ -1,4 +1,4 @@
-// Turns of speech that documents and comments must avoid. The rules are in docs/developer/language.md.
+// Lists turns of speech that documents and comments must avoid. The rules are in docs/developer/language.md.
 #pragma once
 
 #include <regex>

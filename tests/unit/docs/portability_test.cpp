@@ -1,4 +1,4 @@
-// The page on portability must list each file that includes a system header, and no other file.
+// Tests that the page on portability lists each file that includes a system header, and no other file.
 #include <algorithm>
 #include <array>
 #include <regex>

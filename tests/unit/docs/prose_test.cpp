@@ -1,6 +1,6 @@
-// Keeps the documents readable. It checks line and sentence lengths, odd turns of speech, spelling, and names that no
-// longer exist. plain_pages.txt lists the pages that were rewritten for these rules; pages are only added to it. The
-// rules are in docs/developer/language.md.
+// Checks that the documents are readable: line and sentence lengths, odd turns of speech, spelling, and names that no
+// longer exist. plain_pages.txt lists the pages that were rewritten for these rules; pages are only added to that list.
+// The rules are in docs/developer/language.md.
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -228,7 +228,8 @@ TEST(Prose, mentions_only_names_that_exist) {
                                          std::regex_match(name, std::regex("[A-Z][a-z]+[A-Z][A-Za-z]*"));
                     if (!of_code || !std::regex_match(name, kName) || !looked_up.insert(name).second) continue;
                     if (name.ends_with("()")) name.resize(name.size() - 2);
-                    const std::size_t scope = name.find_last_of(":.");  // this is a name within a class or a test suite
+                    // Looks up the last part of a name within a class or a test suite.
+                    const std::size_t scope = name.find_last_of(":.");
                     const bool file = name.find('/') != std::string::npos;
                     const std::string last = scope == std::string::npos || file ? name : name.substr(scope + 1);
                     const bool there =
@@ -250,7 +251,7 @@ TEST(Prose, is_spelled_as_in_the_dictionaries_or_the_word_list) {
         for (const std::string& page : test::listed_in("plain_pages.txt")) {
             if (is_german(page) != german) continue;
             for (const Block& block : blocks_of(page)) {
-                // Removes words with digits, file names and addresses, which are not words of a language.
+                // Removes words with digits, file names and addresses, because a dictionary does not contain them.
                 const std::string text =
                     std::regex_replace(words_of(block), std::regex(R"(\S*[\d_/\\]\S*|\S+\.\w+)"), " ");
                 for (auto it = std::sregex_iterator(text.begin(), text.end(), kWord); it != std::sregex_iterator();

@@ -136,7 +136,7 @@ TEST(Dictionary, lists_every_sound_in_the_order_of_the_spoken_dictionary) {
     for (const DictionaryEntry& entry : sound_dictionary()) {
         if (entry.kind != SoundKind::Contact) {
             expected.push_back("- " + entry.text);
-            // Scenarios name a sound by the words before the colon, in lower case.
+            // Scenarios name a sound by the words before the colon of its entry, in lower case.
             EXPECT_EQ(lower_ascii(entry.text.substr(0, entry.text.find(':'))), info(entry.kind).name);
         } else {
             contacts += (contacts.empty() ? "" : ", ") + std::string(material_sound_name(entry.material));

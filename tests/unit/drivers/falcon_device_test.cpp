@@ -89,8 +89,8 @@ private:
     double write_s_;
 };
 
-// The driver must report progress after two seconds and then every five. The upload has 4000 bytes, in pieces that take
-// a third of a second each.
+// The driver must report progress after two seconds and then every five seconds. The upload has 4000 bytes, in pieces
+// that take a third of a second each.
 TEST(FalconDevice, reports_progress_of_a_slow_firmware_upload) {
     VirtualClock clock;
     FalconEmulator emulator;
@@ -208,7 +208,7 @@ TEST(FalconDevice, commands_no_force_before_all_legs_are_homed) {
     EXPECT_GT(falcon.emulator.largest_force_n, 2.0) << "and the force does come then";
 }
 
-// The axes of the hand must match those of the world.
+// Right, forward and up on the device must be east, north and up in the world.
 TEST(FalconDevice, right_forward_up_are_east_north_up_and_a_force_to_the_east_pushes_right) {
     const std::array<Vec3, 3> falcon_axes{Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 0.0, -1.0},
                                           // The Falcon's axes for right, away from the person, and up.
@@ -285,7 +285,7 @@ TEST(FalconDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousa
         const DeviceSample sample = falcon.exchange(force);
         ASSERT_TRUE(sample.fresh && sample.connected && sample.homed) << i;
         ASSERT_LT(glm::length(sample.position_m - true_place(falcon.emulator)), 3.0 * kEncoderQuantumM)
-            << i;  // the hand moved while the device answered
+            << i;  // the tolerance is three encoder steps, because the hand moved while the device answered
         force = {0.0, std::min(0.0, -kStiffness * (sample.position_m.y - wall_y)), 0.0};
     }
     EXPECT_NEAR(true_place(falcon.emulator).y, wall_y + kPush / kStiffness, kEncoderQuantumM);
@@ -294,7 +294,7 @@ TEST(FalconDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousa
     EXPECT_LT(glm::length(falcon.emulator.velocity_m_per_s), 0.01);
 }
 
-// A fault of the link, how many exchanges may fail because of it, and whether the device must have counted something.
+// A fault of the link: its name, the function that causes it, and how many of 5000 exchanges may fail because of it.
 struct WireFault {
     const char* name;
     void (*make)(Falcon&);
@@ -383,9 +383,9 @@ TEST(FalconDevice, withdraws_its_force_after_20_ms_without_commands) {
     EXPECT_TRUE(falcon.exchange({0.0, 2.0, 0.0}).fresh);
 }
 
-// The device has three encoders for three directions, so only the course of time can reveal a stuck one. Until the
-// driver detects it, the reported position is wrong by a few millimetres. The force must end before the error is
-// greater.
+// The device has three encoders for three directions, so one position alone cannot reveal a stuck encoder; only the
+// changes over time can. Until the driver detects it, the reported position is wrong by a few millimetres. The force
+// must end before the error is greater.
 TEST(FalconDevice, a_stuck_encoder_is_detected_within_millimetres_and_ends_the_force) {
     for (int leg = 0; leg < 3; ++leg) {
         Falcon falcon;
@@ -438,8 +438,8 @@ TEST(FalconDevice, moving_along_a_line_on_which_one_leg_stays_still_interrupts_f
 }
 
 // Runs the whole chain over a link on which anything can go wrong at any time, while the hand presses against a wall.
-// Whatever arrives, the driver must never accept a wrong position or exceed the force ceiling. A stuck leg may not
-// change this.
+// Whatever arrives, the driver must never accept a wrong position or exceed the force ceiling, not even if a leg is
+// stuck.
 TEST(FalconDevice, no_fault_under_the_servo_gives_a_wrong_position_or_a_force_above_the_ceiling) {
     const std::uint64_t seed = test::seed_of_run();
     SCOPED_TRACE(fmt::format("seed {}", seed));

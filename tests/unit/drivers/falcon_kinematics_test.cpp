@@ -58,7 +58,8 @@ TEST(FalconKinematics, forward_after_inverse_is_within_0_06_mm_from_quantised_en
         ASSERT_TRUE(angles) << "seed " << seed << ", point " << i;
         Vec3 measured{0.0};
         for (int leg = 0; leg < 3; ++leg) measured[leg] = falcon_leg_angle_rad(falcon_encoder_counts((*angles)[leg]));
-        // The search starts from where the hand might have been a moment ago, from the middle, and from a random place.
+        // The search starts from a place where the hand might have been a moment ago, from the middle, and from a
+        // random place.
         for (const Vec3& start : {grip + Vec3(0.002, -0.001, 0.003), kFalconMiddleM, random_grip(random)}) {
             const auto back = falcon_forward(measured, start);
             ASSERT_TRUE(back) << "seed " << seed << ", point " << i;
@@ -114,7 +115,7 @@ TEST(FalconKinematics, torques_do_the_work_of_the_force) {
     for (int i = 0; i < test::scaled(2000); ++i) {
         const Vec3 grip = random_grip(random), force{newtons(random), newtons(random), newtons(random)};
         const Vec3 torques = *falcon_torques(grip, *falcon_inverse(grip), force);
-        // The counts are so fine that rounding does not show.
+        // With so many counts per newton metre, rounding to whole counts does not affect the comparison.
         falcon.counts_per_nm = 1e6;
         const std::array<int, 3> counts{static_cast<int>(-torques.x * 1e6), static_cast<int>(-torques.y * 1e6),
                                         static_cast<int>(-torques.z * 1e6)};

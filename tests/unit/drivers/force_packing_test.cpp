@@ -1,4 +1,4 @@
-// Tests the last step of every driver with a force, and the bytes that each driver sends.
+// Tests how drivers limit and convert a force just before they send it, and the bytes that each driver sends.
 #include "haptic/drivers/force_packing.h"
 
 #include <limits>
@@ -15,8 +15,8 @@ namespace force_packing_test {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-// A link that keeps the last effect that it received. The angle is that of the kernel: 0 is towards the person,
-// clockwise.
+// A link that keeps the last effect that it received. The angle `towards_rad` is the kernel's: 0 is towards the person,
+// and angles grow clockwise.
 class KeepingLink final : public FfLink {
 public:
     struct Told {

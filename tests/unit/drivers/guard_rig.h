@@ -1,5 +1,5 @@
-// Code that the tests of both guards share: the program's end of the connection to a guard, and a servo-like loop for a
-// device behind real guards.
+// Provides what the tests of both guards share: the program's end of the connection to a guard, and a servo-like loop
+// for a device behind real guards.
 #pragma once
 
 #include <sys/eventfd.h>

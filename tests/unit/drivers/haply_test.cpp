@@ -1,4 +1,4 @@
-// Tests the Inverse3 through its maker's service. A stand-in acts as the service.
+// Tests the driver of the Inverse3. A stand-in replaces the maker's service.
 #include "haptic/drivers/haply_device.h"
 
 #include <cmath>
@@ -46,8 +46,8 @@ TEST(HaplyDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousan
     for (int i = 0; i < 20000 && answers < 1500; ++i) {
         (*device)->write({force});
         sample = (*device)->read(0.0);
-        // The device counts as lost after ten exchanges without an answer. On a very busy machine, the service may not
-        // run for that long.
+        // The driver reports the device as lost after ten exchanges without an answer. On a very busy machine, the
+        // service may not run for so long that this happens.
         if (!sample.connected) {
             ASSERT_LE(++lost, 5);
             device = open_haply_device(clock, service.port());
@@ -55,7 +55,7 @@ TEST(HaplyDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousan
             force = Vec3(0.0);
             continue;
         }
-        if (!sample.fresh) continue;  // the machine is busy, so there is no new answer yet
+        if (!sample.fresh) continue;  // no new answer has arrived yet, because the machine is busy
         ++answers;
         force = {0.0, std::min(0.0, -kStiffness * (sample.position_m.y - 0.01)), 0.0};
     }
@@ -90,7 +90,7 @@ TEST(HaplyDevice, force_keeps_its_direction_and_stays_below_the_ceiling) {
     }
 }
 
-// Checks the axes as we understand the service's documentation.
+// Checks the axes as the authors understand the service's documentation.
 TEST(HaplyDevice, right_forward_up_are_east_north_up_and_a_force_to_the_east_pushes_right) {
     for (int axis = 0; axis < 3; ++axis) {
         StandInService service;

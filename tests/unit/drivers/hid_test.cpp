@@ -163,7 +163,7 @@ struct Puck {
     SpaceMouse mouse{std::make_unique<DirectHidLink>(emulator)};
 };
 
-// Pushes to the right, away from the person and up must be x, y and z.
+// Pushes to the right, away from the person and up must give positive x, y and z.
 TEST(SpaceMouse, right_forward_up_are_x_y_z_and_rotations_follow_the_right_hand_rule) {
     Puck puck;
     puck.emulator.tell(1, {350, 0, 0});

@@ -88,7 +88,8 @@ TEST(ReliefGuard, kills_a_frozen_first_guard_before_it_touches_the_device) {
 
 TEST(ReliefGuard, does_not_touch_a_device_that_the_first_guard_has_released) {
     Reliever relief;
-    // The first guard needs seconds to open a device and counts no rounds meanwhile.
+    // The first guard needs seconds to open a device and does not report that it is running meanwhile. So the second
+    // guard must not kill it.
     std::this_thread::sleep_for(250ms);
     EXPECT_EQ(relief.killed, 0);
     relief.end_guard();
@@ -157,8 +158,8 @@ TEST(GuardedDevice, warns_on_closing_that_it_may_push_if_zero_was_not_confirmed)
     ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
     ::kill(device.guard_process(), SIGKILL);
     ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return !sample.connected; }));
-    // By then, the second guard has tried to remove the force and failed. On closing, the device waits only a second
-    // for the second guard.
+    // When guard_ended() is true, the second guard has tried to remove the force and failed. close() waits only a
+    // second for the second guard.
     ASSERT_TRUE(tick_until(device, [&](const DeviceSample&) { return device.guard_ended(); }));
     EXPECT_EQ(device.read(0.0).loss, DeviceLoss::MayPush);
     device.close();
@@ -182,8 +183,8 @@ TEST(GuardedDevice, gets_a_new_second_guard_when_the_old_one_dies) {
         device, [](const DeviceSample& sample) { return !sample.connected && sample.loss == DeviceLoss::ForceOff; }));
 }
 
-// Returns whether another second guard replaces the process `than`. Nobody fetches the news of `device`, because the
-// guards must be watched even if the app is busy.
+// Returns whether another second guard replaces the process `than`. The function never reads the news of `device`,
+// because the program must replace a second guard even if the app is busy.
 bool gets_another_second_guard(const GuardedDevice& device, pid_t than) {
     return eventually([&] { return device.relief_process() != than; });
 }

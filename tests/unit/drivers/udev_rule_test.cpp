@@ -7,8 +7,8 @@
 namespace handrail {
 namespace udev_rule_test {
 
-// The rule gives users without administrator rights access. It must cover exactly the devices that the drivers look
-// for.
+// The udev rule gives users without administrator rights access to devices. The rule must cover exactly the devices
+// that the drivers look for.
 TEST(UdevRule, names_every_device_that_a_driver_opens) {
     const std::string rule = test::content_of(test::project_root() / "haptic" / "drivers" / kUdevRule);
     ASSERT_FALSE(rule.empty());

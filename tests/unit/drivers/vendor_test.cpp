@@ -1,4 +1,5 @@
-// Tests the makers' libraries. Stand-in libraries replace them, which a test can make faulty.
+// Tests the drivers that use the makers' libraries. Stand-in libraries replace those of the makers, and a test can make
+// the stand-ins faulty.
 #include <dlfcn.h>
 
 #include <chrono>
@@ -96,7 +97,7 @@ TEST(DhdDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousand_
     EXPECT_FALSE(dhd.told().open);
 }
 
-// Both makers' drivers must give x right, y forward and z up, for places and for forces.
+// Both makers' drivers must give x right, y forward and z up, for positions and for forces.
 TEST(VendorDevices, right_forward_up_are_east_north_up_and_a_force_to_the_east_pushes_right) {
     const std::array<Vec3, 3> dhd_axes{Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1)},
         hd_axes{Vec3(1, 0, 0), Vec3(0, 0, -1), Vec3(0, 1, 0)};

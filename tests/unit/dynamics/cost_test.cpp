@@ -1,5 +1,4 @@
-// Measures the cost of the engine. The test asserts no cost, because machines differ. It prints the numbers of
-// docs/results.md.
+// Measures the cost of the engine. Asserts no cost, because machines differ, but prints the numbers of docs/results.md.
 #include <algorithm>
 #include <chrono>
 

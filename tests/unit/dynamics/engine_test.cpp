@@ -1,4 +1,5 @@
-// Tests the engine alone. Bodies fall, slide, roll, stack and fall asleep, and every run must be bit-identical.
+// Tests the engine of movable bodies alone. Bodies fall, slide, roll, stack and fall asleep, and every run must be
+// bit-identical.
 #include <bit>
 #include <random>
 
@@ -284,8 +285,8 @@ TEST(Dynamics, puts_every_resting_body_to_sleep_even_after_waiting) {
         }
 }
 
-// The engine lets a hundred bodies move at a time. All 2,048 bodies that fit into a scene also come to rest, in 44 s of
-// the world's time. Computing that takes as long.
+// The engine computes at most a hundred moving bodies at a time, so the others wait. All 2,048 bodies that fit into a
+// scene also come to rest, in 44 s of simulated time. That computation takes 44 s, too, so this test uses fewer bodies.
 TEST(Dynamics, brings_600_bodies_to_rest_in_place) {
     constexpr std::uint32_t kBodies = 600;
     Dynamics engine(many_boxes(kBodies, 0.5, 0.2, nature(4)));
@@ -399,7 +400,7 @@ TEST(Dynamics, keeps_bodies_out_of_the_walker) {
         // from the axis.
         EXPECT_GT(glm::length(Vec2(engine.middle(0).position_m)), 0.31) << i;
     }
-    // If the walker continues, it must push the ball along and not walk over it.
+    // If the walker walks on, the walker must push the ball along and not walk over it.
     for (int i = 0; i < 240; ++i) {
         engine.walker(Vec3(-0.005 * i, 0, 0), 0.25, 1.7);
         run(engine, 1);

@@ -30,8 +30,8 @@ TEST(BodyModel, of_four_kilograms_breaks_away_at_its_friction_and_then_slides_wi
                 return HandIntent{Vec3(0.0), Vec3(0.05 * now, 0, 0)};
             },
             [&](const Vec3& hand, double, double) { return rig.render(0, hand); });
-        // This speed is three quarters of a millimetre of the hand a second. The push grows by 0.05 N a second. At this
-        // speed, it is 0.02 N above the force at which the body broke loose.
+        // 0.015 m/s in the world is three quarters of a millimetre of the hand a second. The push grows by 0.05 N a
+        // second. When the body reaches this speed, the push is 0.02 N above the force at which the body broke loose.
         if (i > 1500 && rig.engine.speed_m_per_s(0).x > 0.015) breaks_n = -rig.hands[0]->force_n.x;
     }
     EXPECT_NEAR(breaks_n, 0.4 * 4.0 * 9.81 / 20.0, 0.05 * 0.785);

@@ -1,5 +1,5 @@
-// Small worlds with bodies, made in code. One or two hands touch them in virtual time, with all the code of the hand's
-// side.
+// Makes small worlds with bodies in code. One or two hands touch the bodies in virtual time, with all the code of the
+// hand's side.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -104,7 +104,8 @@ public:
         bodies_.enter(&moves);
     }
 
-    // Gives the hand the engine's latest frame. The test must call this before the hands' ticks at the same time.
+    // Gives the hand the engine's latest frame. If several hands tick at the same time, the test must call this for all
+    // of them before their ticks.
     void hear(const DynamicsFrame& frame) { bodies_.hear(frame); }
     Vec3 tick(const Vec3& hand_m, double now_s, double dt_s) {
         const Vec3 goal = setup.origin_m + hand_m * setup.scale;

@@ -1,5 +1,5 @@
-// Tests flush parts of a building. Bodies that slide or roll over the seams must not catch, and real contacts must
-// remain.
+// Tests parts of a building that are flush with each other. Bodies that slide or roll over the seams must not catch,
+// and real contacts must remain.
 #include "haptic/dynamics/seams.h"
 
 #include <random>

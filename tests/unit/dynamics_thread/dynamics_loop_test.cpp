@@ -1,5 +1,5 @@
-// Tests the engine on its own thread and in virtual time. Everything that is passed to it must arrive, and the same
-// calls must give bit-identical results.
+// Tests the engine on its own thread and in virtual time. Everything that a caller passes to DynamicsLoop must arrive
+// in the engine, and the same calls must give bit-identical results.
 #include "haptic/dynamics/dynamics_loop.h"
 
 #include "tests/support/names.h"
@@ -18,8 +18,8 @@ std::shared_ptr<const DynamicsScene> ball_on_floor() {
     return builder.build();
 }
 
-// Exchanges everything with the loop that the app, the hands and the sounds exchange with it, in virtual time. Returns
-// where the ball ends.
+// Exchanges with the loop everything that the app, the hands and the sounds exchange with it, in virtual time. Returns
+// where the ball is at the end.
 Vec3 play(double from_s) {
     auto loop = std::make_unique<DynamicsLoop>(ball_on_floor(), from_s);
     EXPECT_FALSE(loop->step_until(from_s));

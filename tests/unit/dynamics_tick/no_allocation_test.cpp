@@ -38,7 +38,7 @@ TEST(BodiesInReach, never_allocate_or_free_in_a_tick) {
         held += hand.bodies().holds() != kNoBody;
         contacts += hand.touch.contacts.count;
         hand.send_to(engine);
-        // This makes all earlier contacts invalid, so the hand's side must start again within a tick.
+        // The restart makes all earlier contacts invalid, so the hand's side must start again within a tick.
         if (i == 2500) engine.restart();
         while (engine.time_s() + Dynamics::kStep_s <= now_s + 1e-3) engine.step(frame, events);
         events.clear();

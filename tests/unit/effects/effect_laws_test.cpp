@@ -169,7 +169,7 @@ TEST(LiquidLaws, a_stream_gives_at_most_two_newtons_times_its_speed) {
     river.viscosity_ns_per_m = 8.0;
     river.flow_hand_m_per_s = Vec3(0.1, 0.0, 0.0);
     const auto scene = scene_of(river, 1.0);
-    // A hand at rest must feel the viscosity times the flow.
+    // A hand at rest must feel a force of the viscosity times the speed of the flow.
     TouchState state;
     TouchTuning tuning;
     TouchResult r;
@@ -330,7 +330,7 @@ TEST(EffectLaws, fly_paper_holds_until_it_tears_and_then_holds_again) {
     for (int i = 0; i < 300; ++i) force = touch_tick(state, *scene, {}, Vec3(0.006, 0, 0), kTick_s).force_n;
     EXPECT_LT(glm::length(force), 400.0 * 0.2e-3) << "torn, and stuck again here";
     EXPECT_NEAR(touch_tick(state, *scene, {}, Vec3(0.007, 0, 0), kTick_s).force_n.x - force.x, -0.4, 1e-9);
-    // A teleport or a fault must reset the place where the proxy stuck.
+    // A teleport or a fault must make the law forget the place where the proxy stuck.
     state.reset_filters();
     EXPECT_EQ(touch_tick(state, *scene, {}, Vec3(0.009, 0, 0), kTick_s).force_n, Vec3(0.0));
 }
@@ -424,8 +424,8 @@ TEST(EffectLaws, move_with_the_body_to_which_they_are_attached) {
             const Placement at{Vec3(1.0 + 1e-3 * i, 2.0, -3.0), rotation_about(Vec3(0, 0, 1), 0.002 * i), 2.0};
             const PlacedFrame frame(at);
             const std::array<BodyPose, 1> poses{BodyPose{at, true}};
-            // The library gives the widths of magnet and edge in hand metres. At twice the scale, the crate's region is
-            // twice as large.
+            // The library gives the widths of magnet and edge in hand metres, so they do not grow with the crate. At
+            // twice the scale, only the crate's region is twice as large.
             const Vec3 expected = touch_tick(still_state, *still, one, own, kTick_s).force_n;
             const TouchResult r = touch_tick(moving_state, *moving, grown, frame.to_world(own), kTick_s, Vec3(0.0),
                                              BodyPoses{poses, static_cast<std::uint64_t>(i + 1)});
@@ -496,7 +496,7 @@ TEST(EffectLaws, survive_extreme_step_sizes) {
                     const Vec3 force = state.force_n(*scene, hand);
                     EXPECT_TRUE(is_finite(force)) << step << ' ' << place << ' ' << dt << ' ' << scale;
                 }
-    // After all these values, a reset must restore the original behaviour.
+    // After all the extreme values, a reset must restore the original behaviour.
     hand = HandMotion{};
     state.reset();
     EXPECT_TRUE(is_finite(state.force_n(*scene, hand)));

@@ -1,4 +1,4 @@
-// Random smooth closed paths of a hand, and what they measure of an effect law.
+// Makes random smooth closed paths of a hand, and measures an effect law along them.
 #pragma once
 
 #include <memory>
@@ -44,14 +44,14 @@ struct LoopOutcome {
     double given_j = 0.0;         // energy that the law gives to the hand in the second round
     double largest_n = 0.0;       // largest force
     double largest_step_n = 0.0;  // largest change of the force in one tick
-    // Largest change of the force divided by the hand's movement. Only ticks in which the hand moves at least 0.02 mm
-    // count.
+    // Largest change of the force divided by the hand's movement. Ignores ticks in which the hand moves less than 0.02
+    // mm.
     double steepest_n_per_m = 0.0;
     double felt = 0.0;  // share of the ticks with a force
 };
 
-// Follows the loop twice around `centre_m`. The path is in hand metres; the function multiplies it by the scale.
-// Measures only the second round, when the start has settled.
+// Moves the hand along the loop twice around `centre_m`. The loop is in hand metres; the function multiplies it by the
+// scale. Measures only the second round, in which the effects of the start have faded.
 inline LoopOutcome go_round(const HapticScene& scene, TouchTuning tuning, const std::vector<Vec3>& loop,
                             const Vec3& centre_m = Vec3(0.0)) {
     TouchState state;

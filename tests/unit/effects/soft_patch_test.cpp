@@ -233,15 +233,16 @@ TEST(SoftPatch, as_a_cushion_recovers_with_its_time_constant) {
     const auto scene = scene_of(patch);
     TouchState state;
     press_middle(state, *scene, 0.01);  // presses and rests for 0.3 s
-    // The middle of a wide press has hardly any shear. This narrow press has shear, so the cushion recovers faster than
-    // its cells alone would, and never slower.
+    // In the middle of a wide press, there is hardly any shear. This narrow press has shear, so the cushion recovers
+    // faster than its cells alone would, and never slower.
     const auto probe = [&](double after_s) {
         TouchState again;
         press_middle(again, *scene, 0.01);
         for (int i = 0; i < static_cast<int>(after_s * 1e3); ++i)
             touch_tick(again, *scene, {}, {0.1, 0.08, 0.05}, 1e-3);
         return 200.0 * 0.005 -
-               touch_tick(again, *scene, {}, {0.1, 0.08, 0.0}, 1e-3).force_n.z;  // the force that a 5 mm press lacks
+               // By how much the force of a 5 mm press is still too small.
+               touch_tick(again, *scene, {}, {0.1, 0.08, 0.0}, 1e-3).force_n.z;
     };
     const double early = probe(0.05), later = probe(0.25), late = probe(2.0);
     EXPECT_GT(early, 0.02);
@@ -271,7 +272,8 @@ TEST(SoftPatch, stops_at_its_hard_floor_and_leaves_everything_else_unchanged) {
         touched += x.contacts.count > 0;
     }
     EXPECT_GT(touched, 500);
-    // On the patch, the hard surfaces must exert the same force as without it, and the cushion must add its own force.
+    // On the patch, the hard surfaces must exert the same force as in the scene without the patch. The cushion must add
+    // its own force.
     a.reset();
     b.reset();
     bool on_floor = false;

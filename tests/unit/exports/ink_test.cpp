@@ -73,8 +73,8 @@ TEST(CheckGaps, finds_gaps_that_are_too_narrow_and_ignores_wide_enough_ones) {
 }
 
 TEST(CheckGaps, finds_slits_within_one_part_and_ignores_its_corners) {
-    // A third line joins two lines of one part. The gap between the two is 2 mm in the first page and 4 mm in the
-    // second.
+    // A third line joins two lines of one part. The gap between those two lines is 2 mm in the first page and 4 mm in
+    // the second.
     EXPECT_FALSE(check_gaps(page_of({{box(5, 5, 20, 7)}, {box(5, 9, 20, 11)}, {box(3, 5, 5, 11)}}, true), 3.0)
                      .narrow_mm.empty());
     EXPECT_TRUE(check_gaps(page_of({{box(5, 5, 20, 7)}, {box(5, 11, 20, 13)}, {box(3, 5, 5, 13)}}, true), 3.0)
@@ -82,7 +82,7 @@ TEST(CheckGaps, finds_slits_within_one_part_and_ignores_its_corners) {
     // A wall with a doorway of 2 mm, then one with a doorway of 4 mm.
     EXPECT_FALSE(check_gaps(page_of({{box(3, 5, 10, 7)}, {box(12, 5, 20, 7)}}, true), 3.0).narrow_mm.empty());
     EXPECT_TRUE(check_gaps(page_of({{box(3, 5, 10, 7)}, {box(14, 5, 20, 7)}}, true), 3.0).narrow_mm.empty());
-    // A pit of 2 mm, which is too small for anything, and one of 4 mm.
+    // A pit of 2 mm, which is too narrow for any drawing, and one of 4 mm.
     EXPECT_FALSE(check_gaps(page_of({{box(3, 3, 20, 20), box(8, 8, 10, 10)}}), 3.0).narrow_mm.empty());
     EXPECT_TRUE(check_gaps(page_of({{box(3, 3, 20, 20), box(8, 8, 12, 12)}}), 3.0).narrow_mm.empty());
     // Tests corners of every angle that walls have.

@@ -1,4 +1,4 @@
-// On a sheet, two rooms must be open to each other where the route graph has a passage, and nowhere else.
+// Tests that two rooms are open to each other on a sheet where the route graph has a passage, and nowhere else.
 #include "worlds/exports/openings.h"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@ namespace openings_test {
 
 const WallLook kLook{kWallLine_mm, kLeastGap_mm + 0.2, kLeastSymbol_mm + 0.2, 4.0};
 
-// Draws part of a storey as one of several sheets at 1 to 200. Neighbouring sheets share a strip, so the tests check
-// the rim of a sheet on its neighbour.
+// Draws part of a storey as one of several sheets at 1 to 200. Neighbouring sheets share a strip, so the tests ignore
+// the rim of a sheet and check that place on the neighbouring sheet.
 constexpr double kPerMetre_mm = 5.0, kSheet_mm = 400.0, kRim_mm = 30.0;
 struct Drawn {
     explicit Drawn(const Storey& storey) : Drawn(storey, storey.min_m, storey.max_m) {}
@@ -71,8 +71,8 @@ TEST(Openings, to_another_storey_have_no_bar) {
     EXPECT_TRUE(check_openings(drawn.walls.ink, open, drawn.on_paper).leaking.empty());
 }
 
-// Returns whether an opening is right on a sheet of a larger scale. Some openings are too small to be drawn at 1 to
-// 200.
+// Returns whether an opening is correct on a sheet of a larger scale. The function is needed because some openings are
+// too small to be drawn at 1 to 200.
 bool is_right_at_a_larger_scale(const Storey& storey, const std::array<std::uint32_t, 2>& rooms, const Vec2& at) {
     constexpr double kAround_m = 8.0, kLooked_m = 4.0, kLarge_mm = 20.0;
     Drawn drawn(storey, glm::max(storey.min_m, at - Vec2(kAround_m)), glm::min(storey.max_m, at + Vec2(kAround_m)),
@@ -133,12 +133,12 @@ INSTANTIATE_TEST_SUITE_P(Openings, OfWorld,
                                          "small_house.ifc", "institute.ifczip", "fzk-haus.ifc", "duplex-apartment.ifc",
                                          "smiley-west.ifc"));
 
-// These tests are separate, because reading plans starts threads.
+// Each plan has a separate test, because reading plans starts threads.
 struct OfPlan : testing::TestWithParam<const char*> {};
 TEST_P(OfPlan, openings_agree_with_the_route_graph) { are_those_of_the_graph(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Openings, OfPlan, testing::Values("minimal.imdf.zip", "delft-station.osm"));
 
-// These tests are separate, because they take minutes.
+// Each world has a separate test, because the tests take minutes.
 struct OfManyWorlds : testing::TestWithParam<const char*> {};
 TEST_P(OfManyWorlds, openings_agree_with_the_route_graph) {
     if (!std::getenv("HANDRAIL_ALL_ROUTES")) GTEST_SKIP() << "takes minutes; HANDRAIL_ALL_ROUTES=1 tries it";

@@ -1,4 +1,4 @@
-// Storeys of bundled worlds and of real ones, for tests of printed sheets. Each world is read once.
+// Provides the storeys of bundled and of real worlds for tests of printed sheets. Reads each world once.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Walls with mitred ends must become square, so that no corner has a notch.
+// Tests that walls with mitred ends become square, so that no corner has a notch.
 #include "worlds/plan/plan_shapes.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The printed plates of all storeys of the bundled worlds must be closed solids. The test checks this itself, and with
-// admesh if it is installed.
+// Tests that the printed plates of all storeys of the bundled worlds are closed solids. Checks the plates with code of
+// its own, and with admesh if that program is installed.
 #include "worlds/exports/storey_stl.h"
 
 #include <gtest/gtest.h>
