@@ -51,7 +51,7 @@ TEST(Phrase, keeps_curly_brackets_and_apostrophes_of_values) {
 
 TEST(InSpokenLanguage, returns_a_text_that_outlives_its_arguments) {
     const std::string& told = in_spoken_language(std::string(100, 'x'), {});
-    const std::string other(100, 'y');  // This string may reuse the memory of the first one.
+    const std::string other(100, 'y');  // may reuse the memory of the first string
     EXPECT_EQ(told, std::string(100, 'x'));
 }
 

@@ -98,7 +98,7 @@ struct Found {
     RoomGraph graph;
 };
 
-// Returns the faults of a map. `state` may add what a file that states its rooms would contain.
+// Returns the faults of a map. `state` may add to the scene what a file that states its rooms would contain.
 Found faults_of(const std::string& map, const std::function<void(Scene&, const RoomGraph&)>& state = {}) {
     Found found;
     Result<Scene> scene = read_quake_map(map, "school.map");

@@ -270,8 +270,8 @@ TEST(FalconDevice, gives_the_requested_force_and_never_exceeds_its_ceiling) {
     EXPECT_NEAR(glm::length(falcon.emulator.force_on_hand_n()), 0.95 * 3.0, 0.02);
 }
 
-// A wall of 1000 N/m across z = 0.130. The hand presses with less than the ceiling of 3 N, so the static answer is
-// force / stiffness behind the wall.
+// A wall of 1000 N/m across z = 0.130. The hand presses with less than the ceiling of 3 N. So the hand must come to
+// rest behind the wall at a depth of force / stiffness.
 TEST(FalconDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousand_exchanges) {
     constexpr double kStiffness = 1000.0, kPush = 2.0;
     const double wall_y = falcon_to_device({0.0, 0.0, 0.130}).y;
@@ -285,7 +285,7 @@ TEST(FalconDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousa
         const DeviceSample sample = falcon.exchange(force);
         ASSERT_TRUE(sample.fresh && sample.connected && sample.homed) << i;
         ASSERT_LT(glm::length(sample.position_m - true_place(falcon.emulator)), 3.0 * kEncoderQuantumM)
-            << i;  // the tolerance is three encoder steps, because the hand moved while the device answered
+            << i;  // the hand moved while the device answered, so three encoder steps are allowed
         force = {0.0, std::min(0.0, -kStiffness * (sample.position_m.y - wall_y)), 0.0};
     }
     EXPECT_NEAR(true_place(falcon.emulator).y, wall_y + kPush / kStiffness, kEncoderQuantumM);
@@ -320,8 +320,8 @@ TEST_P(FalconWire, never_gives_a_wrong_position_or_too_much_force) {
         if (!sample.fresh) {
             ++failures;
         } else {
-            // The reported place must be that of this exchange. If an answer was late, it may be that of one of the two
-            // previous exchanges.
+            // The reported position must be that of this exchange. If an answer was late, the position may be that of
+            // one of the two previous exchanges.
             const double off = std::min({glm::length(sample.position_m - now), glm::length(sample.position_m - old),
                                          glm::length(sample.position_m - older)});
             ASSERT_LT(off, kEncoderQuantumM) << GetParam().name << ", exchange " << i;

@@ -88,8 +88,8 @@ TEST(ReliefGuard, kills_a_frozen_first_guard_before_it_touches_the_device) {
 
 TEST(ReliefGuard, does_not_touch_a_device_that_the_first_guard_has_released) {
     Reliever relief;
-    // The first guard needs seconds to open a device and does not report that it is running meanwhile. So the second
-    // guard must not kill it.
+    // The first guard needs seconds to open a device, and its count of rounds in the mailbox does not change meanwhile.
+    // The second guard must not kill it for that.
     std::this_thread::sleep_for(250ms);
     EXPECT_EQ(relief.killed, 0);
     relief.end_guard();

@@ -172,7 +172,7 @@ TEST(SolidsWithin, are_refused_at_the_limits_and_for_self_intersecting_skins) {
     few.looks_left = &little;
     EXPECT_FALSE(filled(table, few).has_value());
     EXPECT_EQ(little, 0U);
-    // Here, one leg of the table reaches up through its top.
+    // In `through`, one leg of the table reaches up through the table top.
     BlockMesh through = table;
     for (Vec3& p : through.points_m)
         if (p.z < 0.01 && p.x < 0.31 && p.y < 0.31) p += Vec3(0.5, 0.5, 2.0);
@@ -198,7 +198,7 @@ TEST(ShellsOf, a_mesh_are_its_pieces_with_closedness_and_visible_side) {
     EXPECT_FALSE(shells[1].closed) << "the loose triangle";
     EXPECT_NEAR(shells[2].volume_m3, 27.0, 1e-9);
     EXPECT_TRUE(shells[0].closed && shells[2].closed);
-    // Without its loose triangle, the chest must give 26 blocks, and none in the middle.
+    // Without its loose triangle, the chest must give 26 blocks, and none in its hollow middle.
     mesh.triangles.pop_back();
     const auto solids = filled(mesh);
     ASSERT_TRUE(solids.has_value());

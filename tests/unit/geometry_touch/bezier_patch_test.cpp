@@ -112,8 +112,8 @@ TEST(BezierPatch, neighbours_with_a_common_edge_meet_along_one_line_in_any_orien
     std::mt19937 random(kSeed);
     for (int round = 0; round < scaled(30); ++round) {
         const PatchGrid a = random_grid(random, 0.5);
-        // Patch b continues beyond the first row of a with a very different bend, so that tessellate() splits it
-        // differently inside.
+        // Patch b continues beyond the first row of a with a very different bend, so that tessellate() splits the
+        // inside of b differently.
         PatchGrid b{3, a.columns, {}};
         for (int r = 2; r >= 0; --r)
             for (int c = 0; c < a.columns; ++c)

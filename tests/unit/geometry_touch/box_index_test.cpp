@@ -28,8 +28,8 @@ std::vector<Aabb> random_boxes(std::mt19937& random, int count, const Vec3& shif
     return boxes;
 }
 
-// Returns the fraction of the path at which the line enters the grown box. The fraction is above 1 if the line never
-// enters it.
+// Returns the fraction of the path at which the line enters the box, grown by `low` and `high`. The fraction is above 1
+// if the line never enters that box.
 double enters(const Aabb& box, const Vec3& from, const Vec3& to, const Vec3& low, const Vec3& high) {
     double in = 0.0, out = 1.0;
     for (int axis = 0; axis < 3; ++axis) {

@@ -47,8 +47,8 @@ double nearest_of(const std::vector<Aabb>& boxes, const Vec3& p) {
     return std::sqrt(nearest2);
 }
 
-// Compares every query with a full scan. Visits to boxes beyond the reach cost only time, so the test limits their
-// number but otherwise ignores them.
+// Compares every query with a full scan. Visits to boxes beyond the reach only cost time, so the test limits their
+// number and nothing else.
 void expect_right(const Bvh& bvh, const std::vector<Aabb>& boxes, std::mt19937& random, const Vec3& around,
                   const std::string& what) {
     constexpr int kPlenty = 1 << 20;
@@ -97,8 +97,8 @@ void expect_right(const Bvh& bvh, const std::vector<Aabb>& boxes, std::mt19937& 
             EXPECT_GE(bound, 0.7 * nearest * (1.0 - 1e-12));
         }
 
-        // If the query may examine only a few boxes, it must keep to that limit. It must have visited every box that is
-        // nearer than its answer.
+        // If a query may examine only a few boxes, it must examine no more than that number. It must have visited every
+        // box that is nearer than its answer.
         std::vector<bool> visited(boxes.size(), false);
         looks = 1 + query;
         int used = 0;
@@ -126,8 +126,8 @@ TEST(Bvh, answers_like_a_full_scan_for_many_things_in_one_place_and_far_from_the
 }
 
 TEST(Bvh, stays_within_its_budget_of_looks_when_everything_is_equally_near) {
-    // In the middle of a round room, no order of the 20,480 triangles helps, because all have the same distance. After
-    // a hundred examined boxes, the query must stop and still report that something is near.
+    // In the middle of a round room, no order of the 20,480 triangles saves time, because all are equally far away.
+    // After a hundred examined boxes, the query must stop and still return a lower bound for the distance.
     const TriangleMesh mesh = sphere_mesh(32, 0.006);
     std::vector<Aabb> boxes;
     for (const Corners& t : mesh.triangles) {

@@ -166,8 +166,8 @@ TEST(ProjectOnHalfSpaces, agrees_with_trying_every_subset_from_cold_and_warm_sta
             EXPECT_FALSE(solved);
             continue;
         }
-        // The function may fail only if the cell is thinner than rounding can resolve. Then the enumeration with a
-        // negative tolerance has no solution either.
+        // project_on_half_spaces() may fail only if the cell is thinner than rounding can resolve. Then the enumeration
+        // with a negative tolerance has no solution either.
         if (!solved) {
             EXPECT_FALSE(project_by_enumeration(long_walls, LVec(goal), -1e-7L)) << "gave up on a roomy cell";
             continue;

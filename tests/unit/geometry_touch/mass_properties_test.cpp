@@ -64,7 +64,7 @@ TEST(MassProperties, of_flat_solids_agree_with_counted_points_even_far_from_the_
         const BuiltSolid built = solid_from_planes(planes, at, 100.0);
         const Vec3 size = built.solid.bounds_m.size_m();
         if (built.fault != SolidFault::None || std::max({size.x, size.y, size.z}) > 3.0)
-            continue;  // this solid is so long that the count would be too coarse
+            continue;  // the solid is invalid, or so long that the count of points would be too coarse
         ++looked_at;
         const MassProperties exact = mass_properties(built.solid);
         expect_near(exact, counted(built.solid.bounds_m, [&](const Vec3& p) { return contains(built.solid, p); }), 1.0,

@@ -1,5 +1,5 @@
-// Compares spheres, capsules, cylinders and cones with a different implementation in long double. Also checks a
-// property of the closest point: the whole shape is behind the plane there.
+// Compares spheres, capsules, cylinders and cones with a different implementation in long double. Also checks that at
+// the closest point, the whole shape is behind the tangent plane.
 #include "worlds/geometry/round_shapes.h"
 
 #include <random>
@@ -78,7 +78,7 @@ Shape random_shape(Kind kind, int form, const Vec3& shift, std::mt19937& random)
     if (form % 8 == 2 || form % 8 == 3) shape.height_m = 0.0;
     if (form % 8 == 4) shape.radius_m = 1e-7;
     if (form % 8 == 5) shape.height_m = 1e-7;
-    // The reference implementation knows no direction for a shape without height.
+    // The reference implementation computes no direction for a shape without height, so the axis is set to +z.
     if (shape.height_m == 0.0) shape.axis = Vec3(0, 0, 1);
     return shape;
 }

@@ -1,5 +1,5 @@
-// Which lines a person has heard in full. The functions examine what a recording sink spoke in realistic time, not what
-// the session printed.
+// Finds out which lines a person has heard in full. The functions examine what a recording sink spoke in realistic
+// time, not what the session printed.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,9 +17,9 @@ inline constexpr double kAfterLastKey_s = 15.0;  // time after the last key, aft
 // Returns whether the voice spoke the line to its end without an interruption.
 inline bool in_full(const HeardSpeech& line, double now_s) { return line.voiced && !line.cut && line.end_s <= now_s; }
 
-// Returns the last line about each topic if it was cut or only written. A line that is still being spoken counts as
-// heard. An earlier line does not matter, because the last line replaces it. So an empty result means that the person
-// heard everything that is still valid.
+// Returns the last line about each topic if that line was cut or only written. A line that is still being spoken counts
+// as heard. Earlier lines about a topic do not matter, because the last line replaces them. So an empty result means
+// that the person heard everything that is still valid.
 inline std::vector<std::string> unheard(const RecordingSpeech& voice, const std::vector<SpeechTopic>& topics) {
     std::vector<std::string> missing;
     for (const SpeechTopic topic : topics) {

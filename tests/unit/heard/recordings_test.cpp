@@ -1,8 +1,7 @@
 // Makes three recordings as a person with headphones would hear them: the first minutes, a walk through five doors with
-// a
-// beacon, and a labyrinth. Transcribes each recording by matching it with the voice's own rendering of each line.
+// a beacon, and a labyrinth. Transcribes each recording by searching it for the voice's own rendering of each line. To
+// save the recordings with a list of how much of each line was heard, run:
 //   HANDRAIL_WRITE_RECORDINGS=FOLDER build/release/bin/unit_heard --gtest_filter='Recordings.*'
-// saves each recording together with a list of how much of each line was heard.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -109,7 +108,7 @@ TEST_F(Recordings, of_the_first_minutes) {
 TEST_F(Recordings, of_a_walk_through_five_doors_with_a_beacon) {
     const test::LegForm form = test::english_legs();
     recorded.enter("house.map");
-    recorded.press(Command::Exits);  // after this, the session knows the rooms
+    recorded.press(Command::Exits);  // so that the session knows the rooms from now on
     recorded.listen();
     const auto last_leg = [&](std::size_t from) {
         for (std::size_t i = recorded.lines().size(); i > from; --i)

@@ -64,7 +64,8 @@ void hear(const std::string& name, double words_per_minute) {
     // A person who presses a stop key does not want to hear the lines.
     if (stops(scenario)) return;
     EXPECT_THAT(test::unheard(voice, {SpeechTopic::Place}), IsEmpty()) << how;
-    if (how.find("What to do next") == std::string::npos) {  // not for first minutes that have reached the last step
+    // If the first minutes have reached their last step, these lines are no longer valid.
+    if (how.find("What to do next") == std::string::npos) {
         EXPECT_THAT(test::unheard(voice, {SpeechTopic::Praise, SpeechTopic::Lesson}), IsEmpty()) << how;
     }
     if (leads) {

@@ -1,6 +1,6 @@
-// Mixes a session's sounds and the built-in voice as for headphones, in virtual time. Before it speaks, it waits until
-// espeak-ng has rendered the whole line, so two runs give the same samples. It uses one thread, and espeak-ng uses
-// another.
+// Mixes a session's sounds and the built-in voice as for headphones, in virtual time. Before a line is played, the
+// class waits until espeak-ng has rendered the whole line, so two runs give the same samples. The class uses one
+// thread, and espeak-ng uses another.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ public:
     void stop() override;
     bool speaking() const override { return heard_->playing(); }
 
-    // Returns this line alone, for both ears, without any other sound.
+    // Returns `line` alone, for both ears, without any other sound.
     static std::vector<float> alone(const PrintedLine& line);
 
 private:

@@ -1,4 +1,5 @@
-// What a person hears in a mix. Searches the mix for each line, using the voice's own rendering of that line.
+// Finds out what a person hears in a mix. The functions search the mix for each line, using the voice's own rendering
+// of that line.
 #pragma once
 
 #include <optional>
@@ -21,9 +22,9 @@ struct Transcribed {
     double share = 0.0;             // share of the line's voiced pieces that are heard in the mix
     bool in_full = false;           // at least 90 % of the voiced pieces are heard, including the last one
 
-    // Returns whether the line is important. Lines about danger, places, routes and lessons are, and answers that the
-    // person did not cut with the next key. Lines that were only written are not, because they were announced a moment
-    // before or are out of date.
+    // Returns whether the line is important. Important are lines about danger, places, routes and lessons, and answers
+    // that the person did not cut with the next key. Lines that were only written are unimportant, because they were
+    // announced a moment before or are out of date.
     bool matters() const {
         if (!voiced || speech_class > SpeechClass::Guidance || topic == SpeechTopic::Heading) return false;
         return topic != SpeechTopic::None || speech_class <= SpeechClass::Warning || !stopped;
@@ -32,8 +33,8 @@ struct Transcribed {
 
 std::vector<Transcribed> transcribe(const Sounding& sounding);
 
-// The number of important lines, and those that were never heard in full. If a line was announced again because it was
-// cut, it counts once.
+// The number of important lines, and the texts of those that were never heard in full. If the session announced a line
+// again because it was cut, the line counts once.
 struct Judged {
     int matter = 0;
     std::vector<std::string> missing;

@@ -28,7 +28,7 @@ INSTANTIATE_TEST_SUITE_P(Typists, Paced,
                          ::testing::Values(Pace{180.0, 0.5}, Pace{180.0, 2.0}, Pace{180.0, 4.0}, Pace{180.0, 6.0},
                                            Pace{120.0, 2.0}, Pace{120.0, 0.5}, Pace{350.0, 2.0}, Pace{350.0, 0.5}));
 
-// The house starts in the hall. A typist who only presses keys requests the rest of the route leg by leg.
+// The house starts in the hall. The typist only presses keys, and requests the rest of the route leg by leg.
 TEST_P(Paced, who_walks_through_the_house_hears_rooms_and_the_whole_of_a_route) {
     Typist typist("house.map", GetParam().words_per_minute, GetParam().pause_s);
     typist.press(Command::Routes);

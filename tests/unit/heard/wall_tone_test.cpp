@@ -1,5 +1,5 @@
-// The wall tone reports a near wall to a person who moves. It falls silent for a person who stands, because they have
-// heard it.
+// Tests the wall tone, which reports a near wall to a person who moves. The tone must fall silent for a person who
+// stands, because that person has already heard it.
 #include <gtest/gtest.h>
 
 #include "app/core/session/headless_session.h"

@@ -1,4 +1,4 @@
-// Tests cuts whose result convex solids cannot represent. A check of many single places is the reference. Also tests
+// Tests cuts whose result convex solids cannot represent. A check of many single points is the reference. Also tests
 // such cuts in IFC files.
 #include "worlds/ifc/exact_cut.h"
 
@@ -178,7 +178,8 @@ TEST(ExactCuts, refuse_bodies_that_enclose_nothing_or_exceed_the_limits) {
     EXPECT_TRUE(cut_exactly(wall(), ring.body(), ExactCut::TakeAway, limits, {}));
 }
 
-// Both compilers must give this number. Another major version of CGAL may refine the meshes in a different order.
+// Every compiler must give this number. Another major version of CGAL may refine the meshes in a different order, so
+// the test then skips.
 TEST(ExactCuts, are_bit_identical_on_every_compiler) {
     if (CGAL_VERSION_NR / 10000000 != 105) GTEST_SKIP() << "the number is that of CGAL 5";
     Ring3 ring;

@@ -1,4 +1,4 @@
-// Small IFC files built from boxes. They test how the reader reads each kind of part.
+// Builds small IFC files from boxes. With them, tests check how the reader reads each kind of part.
 #pragma once
 
 #include <sstream>
@@ -81,7 +81,7 @@ public:
             add("IFCRELAGGREGATES('R" + std::to_string(made) + "',$,$,$," + ref(storey) + "," + refs({made}) + ")");
         else spaces_.push_back(made);
     }
-    // Adds a storey. `elevation` is the value of its attribute; if empty, the height of its placement.
+    // Adds a storey. `elevation` is the value of the storey's attribute; if empty, that value is `height`.
     int storey(const std::string& name, double height, std::optional<double> elevation = std::nullopt) {
         const int at = add("IFCLOCALPLACEMENT($," + ref(placed({0.0, 0.0, height})) + ")");
         const int made = add("IFCBUILDINGSTOREY('S" + std::to_string(last_ + 1) + "',$,'" + name + "',$,$," + ref(at) +

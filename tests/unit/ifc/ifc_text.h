@@ -1,4 +1,4 @@
-// Small IFC files as text. They are variants of the house in tests/unit/ifc/worlds.
+// Provides small IFC files as text: variants of the house in tests/unit/ifc/worlds.
 #pragma once
 
 #include <string>

@@ -43,14 +43,14 @@ TEST(PartsOfIfc, survive_any_number_of_nested_cuts) {
 TEST(PartsOfIfc, survive_deeply_nested_cutting_solids) {
     Hut hut;
     int cutter = hut.block({1.0, -1.0, 0.0}, {2.0, 1.0, 2.0});
-    for (int i = 0; i < 60; ++i)  // the number of cutters is even, so the last cutter leaves what the first one removes
-        cutter = hut.less(hut.block({1.0, -1.0, 0.0}, {2.0, 1.0, 2.0}), cutter);
+    // An even number of cutters, each cut by the one before: the last one leaves what the first one removes.
+    for (int i = 0; i < 60; ++i) cutter = hut.less(hut.block({1.0, -1.0, 0.0}, {2.0, 1.0, 2.0}), cutter);
     hut.part("IFCWALL", "North", hut.less(hut.block(kWall.min_m, kWall.max_m), cutter), ",$");
     EXPECT_NEAR(volume_within_m3(hut.scene(), kWall), 4.5 - 0.3 * 2.0, 1e-4);
 }
 
-// A partition is named after its two sides, whether the wall in front of it is a solid or a sheet. Only without that
-// wall is its front the outer side of the building.
+// A partition is named after its two sides, whether the wall in front of it is a solid or a sheet. The partition's
+// front is the outer side of the building only if that wall is missing.
 TEST(PartsOfIfc, behind_a_sheet_get_the_same_names_as_behind_a_solid_wall) {
     enum class Before { Nothing, Solid, Sheet };
     for (const Before before : {Before::Nothing, Before::Solid, Before::Sheet}) {
@@ -117,7 +117,7 @@ TEST(PartsOfIfc, keep_the_wall_behind_a_niche_with_any_filling) {
                                    filling == "IFCDOOR" || filling == "IFCWINDOW" ? ",1.,1.,$,$,$" : ",$");
         hut.opening(wall, hut.block({1.0, 0.15, 0.4}, {2.0, 0.31, 1.6}), thing);
         const Scene scene = hut.scene();
-        // Nobody could pass this door, so the reader must cut a passage and report it.
+        // A door in a niche leads nowhere, so the reader must cut a passage through the wall behind it and report that.
         const bool leads_through = filling == "IFCDOOR";
         EXPECT_EQ(in_a_solid(scene, {1.05, 0.1, 1.2}), true);
         EXPECT_EQ(in_a_solid(scene, {1.5, 0.1, 1.2}), !leads_through);
@@ -248,7 +248,7 @@ TEST(DoorsOfIfc, too_small_for_a_body_are_named_with_the_reason) {
 }
 
 TEST(PartsOfIfc, can_be_placed_at_crossings_of_grid_axes) {
-    for (const bool relative : {false, true}) {  // in IFC 4.3, the placement has an additional attribute
+    for (const bool relative : {false, true}) {  // in IFC 4.3, the grid placement has an additional attribute
         SCOPED_TRACE(relative);
         Hut hut;
         const auto axis = [&](const Vec3& from, const Vec3& to, const char* same = ".T.") {

@@ -37,7 +37,8 @@ TEST(Duplex, matches_the_description_of_its_authors) {
     EXPECT_EQ(stated.stairs, 2);
     EXPECT_EQ(stated.furnishings.size(), 61U);
     EXPECT_EQ(stated.storeys.size(), 4U);
-    // Counted by hand from the 265 space boundaries of the file: 10 doors between two rooms, 4 doors to the outside.
+    // Expected doors, counted by hand from the 265 space boundaries of the file: 10 doors between two rooms, 4 doors to
+    // the outside.
     std::multiset<std::string> doors;
     for (const StatedPortal& portal : stated.portals)
         if (portal.kind == StatedPortalKind::Door) {

@@ -1,4 +1,4 @@
-// Compares outlines, cuts and shells with a test of many single points.
+// Tests outlines, cuts and shells. A test of many single points is the reference.
 #include <gmock/gmock.h>
 
 #include <random>

@@ -1,4 +1,4 @@
-// Tests a bundled house. It is small enough to be worked out by hand, and always available.
+// Tests a bundled house. It is small enough to work out the expected values by hand, and always available.
 #include <gmock/gmock.h>
 
 #include <map>
@@ -315,13 +315,13 @@ TEST(SmallHouse, gets_a_blocked_door_cut_open_with_a_box_and_names_door_and_obst
     ASSERT_EQ(scene.report.warnings.size(), 1U);
     EXPECT_THAT(scene.report.warnings[0].sentence(), AllOf(HasSubstr("inner door"), HasSubstr("forgotten beam")));
     EXPECT_FALSE(test::in_a_solid(scene, {4.0, 1.45, 1.0}));
-    // A second wall at the same place counts as the same wall, so the door is not blocked.
+    // A second wall at the same place is treated as the same wall, so it must not block the door.
     const Scene twice = scene_of(test::with_instances(text, wall));
     EXPECT_FALSE(twice.stated->portals[1].opened_by_box);
     EXPECT_TRUE(twice.stated->portals[1].passable);
 }
 
-// The reader must cut the wall's own openings, whichever copy of the wall comes first.
+// If a file contains the same wall several times, the reader must cut the wall's openings, whichever copy comes first.
 TEST(SmallHouse, is_felt_once_if_its_file_contains_a_wall_many_times) {
     const std::string house = test::small_house();
     const Result<Scene> once = read_ifc(house, "once.ifc");

@@ -1,4 +1,4 @@
-// Whatever a file contains, the reader must return a world or one sentence.
+// Tests that the reader returns a world or one sentence, whatever a file contains.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -85,7 +85,7 @@ std::string mutated(const std::string& text, std::mt19937& random) {
             case 2:
                 if (line != std::string::npos && end != std::string::npos) other.erase(line, end - line);
                 break;
-            default: {  // replaces a number or a reference by another one
+            default: {  // replaces one digit of a number or a reference
                 const std::size_t digit = other.find_first_of("0123456789", at);
                 if (digit != std::string::npos) other[digit] = static_cast<char>('0' + random() % 10);
             }

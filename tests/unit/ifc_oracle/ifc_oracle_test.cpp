@@ -1,6 +1,6 @@
 // Compares Handrail's reading of IFC files with that of Debian's own library, a snapshot of 2019. Compares part by part
 // which parts and rooms exist, where they are, and their volumes. The library leaves some openings in walls and some
-// roofs over rooms uncut, and approximates circles with fewer sides. Everywhere else, both readings must agree.
+// roofs over rooms uncut, and approximates circles with fewer sides. In all other cases, the two readings must agree.
 #include <gmock/gmock.h>
 
 #include <set>
@@ -151,7 +151,7 @@ TEST(PackagedIfc, agrees_with_us_on_the_places_of_parts_of_real_buildings) {
           // Two gables are identical. The library gives one of them a larger volume; Handrail gives both the same.
           Known{"fzk-haus.ifc", {{"IfcSpace", 7}, {"IfcDoor", 5}, {"IfcWindow", 11}}, 0, 35, 1},
           // In two round columns and a room under an arched roof, the places differ. The library also leaves some wall
-          // openings uncut, which are not the same in every run.
+          // openings uncut; which ones varies from run to run.
           Known{"institute.ifczip",
                 {{"IfcSpace", 82}, {"IfcDoor", 77}, {"IfcWindow", 206}, {"IfcWallStandardCase", 119}},
                 3,

@@ -12,8 +12,8 @@
 namespace handrail::test {
 namespace {
 
-// Adds up the volumes of tetrahedra from the mesh's first point, so that a wall far from the origin keeps its
-// precision.
+// Adds up the volumes of tetrahedra. Their common corner is the mesh's first point, so that a wall far from the origin
+// keeps its precision.
 void add_mesh(const carve::mesh::Mesh<3>& mesh, const carve::math::Matrix& placed, PackagedPart& part) {
     using Vertex = carve::mesh::Vertex<3>;
     const auto at = [&](const Vertex* v) {

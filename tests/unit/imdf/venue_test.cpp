@@ -124,7 +124,7 @@ TEST(ImdfVenue, turns_units_openings_and_levels_into_rooms_and_doors) {
     ASSERT_TRUE(ways.has_value());
     for (const StatedRoom& room : scene.stated->rooms)
         if (room.name == "Passports" || room.name == "Women's toilets" || room.name == "Acme brewery room") {
-            // The test goes to a place one metre aside, because the desk is at the room's centre.
+            // The desk is at the room's centre, so the test goes to a place one metre next to the centre.
             EXPECT_TRUE((*ways)->reachable(scene.starts[0].feet_m, room.at_m + Vec3(1.0, 0.0, 0.0))) << room.name;
         }
 }

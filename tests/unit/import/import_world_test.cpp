@@ -160,7 +160,8 @@ TEST(ImportedWorld, is_read_again_if_its_cache_entry_is_damaged) {
     }
 }
 
-// Until November 2026 the program wrote the cache next to the file, and the cache's header named the source file.
+// Until November 2026, the program wrote the cache next to the file, and the cache's header named the source file. Such
+// a cache must not be used.
 TEST(ImportedWorld, uses_no_cache_entry_of_another_world_and_none_next_to_the_file) {
     const test::TemporaryFolder folder;
     const std::string another = test::replaced(large_house(), "a chair of no shape", "a table of no shape");
@@ -353,7 +354,7 @@ TEST(ReaderProcess, ends_at_once_when_it_is_cancelled) {
     EXPECT_NE(::kill(process, 0), 0) << "it is gone and waited for";
 }
 
-// Examines the real reader, which the test stops in the middle of its work.
+// Examines the real reader process, which the test has paused in the middle of its work.
 TEST(ReaderProcess, is_confined_and_has_no_environment) {
 #if defined(HANDRAIL_SANITIZED)
     GTEST_SKIP() << "a sanitizer keeps its options";
@@ -435,7 +436,7 @@ TEST(RequestedFiles, of_a_compromised_reader_are_opened_only_in_the_folder_of_th
     serves.join();
 }
 
-// The reader sends requests but never takes the answers. It must not block the program.
+// The reader requests files but never fetches the answers. This must not block the program.
 TEST(RequestedFiles, never_block_the_program_if_a_reader_fetches_no_answer) {
     const test::TemporaryFolder folder;
     const fs::path world = folder.write("house.map", "the world");
@@ -451,7 +452,7 @@ TEST(RequestedFiles, never_block_the_program_if_a_reader_fetches_no_answer) {
 }
 
 // The program does not copy the file. So when the test truncates the file, it removes data that the reader has yet to
-// read. If the reader finishes before the test stops it, the test tries again.
+// read. If the reader finishes before the test pauses it, the test tries again.
 TEST(ReaderProcess, reports_a_file_that_is_truncated_during_reading) {
     const test::TemporaryFolder folder;
     bool said = false;
@@ -491,7 +492,7 @@ TEST(ReaderProcess, dies_with_the_program_even_if_that_is_killed) {
     ASSERT_GE(program, 0);
     if (program == 0) {
         ReadOptions options;
-        // Stops the reader in the middle of its work, so that it cannot end before the test kills the program.
+        // Pauses the reader in the middle of its work, so that the reader cannot end before the test kills the program.
         options.stage = [&](std::string_view) {
             const std::string children = test::content_of(fmt::format("/proc/self/task/{}/children", ::getpid()));
             ::kill(static_cast<pid_t>(std::stoi(children)), SIGSTOP);

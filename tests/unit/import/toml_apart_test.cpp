@@ -29,7 +29,7 @@ const std::string kMarks =
 
 class TomlApartTest : public testing::Test {
 protected:
-    // Runs `script` in place of handrail-reader. The script writes its answer to descriptor 3.
+    // Returns an object that runs `script` in place of handrail-reader. The script writes its answer to descriptor 3.
     TomlApart by(const std::string& script, ReaderLimits limits = {1'000'000'000, 5, 60.0}) {
         const fs::path program = folder_.write(fmt::format("reader{}.sh", ++count_), "#!/bin/sh\n" + script + "\n");
         fs::permissions(program, fs::perms::owner_all);
@@ -102,7 +102,7 @@ TEST_F(TomlApartTest, returns_one_sentence_for_any_end_of_the_reader) {
     EXPECT_THAT(sentence_of(large), HasSubstr("16"));
 }
 
-// A malicious text that takes control of the reader process can make it answer anything.
+// A malicious text may gain control of the reader process, which can then answer anything.
 TEST_F(TomlApartTest, rejects_answers_that_toml_cannot_produce) {
     TomlValue text, moment, deep, wrong_line;
     text.value = std::string("a\xff");

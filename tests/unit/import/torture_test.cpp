@@ -1,5 +1,5 @@
-// Whatever a model contains, reading it must give a world or a message of one sentence, within the limits. It must
-// never crash the reader.
+// Tests that reading a model gives a world or a message of one sentence, within the limits and without a crash,
+// whatever the model contains.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -62,7 +62,8 @@ TEST(ImportTorture, every_way_to_corrupt_a_model_ends_in_a_world_or_an_error_sen
     EXPECT_NE(outcome(folder.write("zeros.ifc", std::string(2'000'000, '\0'))), "");
     (void)outcome(folder.write("far.ifc", test::replaced(house, "((8.2,", "((1.E308,")));
     (void)outcome(folder.write("circle.ifc", test::replaced(house, "IFCLOCALPLACEMENT($,", "IFCLOCALPLACEMENT(#13,")));
-    // A tree of unions, in which each node refers twice to the previous node. It has two to the power of 60 shapes.
+    // A tree of unions in which each node refers to the previous node twice, so the tree has two to the power of 60
+    // shapes.
     std::string more;
     for (int i = 0; i < 60; ++i)
         more += fmt::format("#{}=IFCBOOLEANRESULT(.UNION.,#{},#{});\n", 5000 + i, i == 0 ? 24 : 4999 + i,
@@ -105,8 +106,8 @@ TEST(ImportTorture, models_cut_anywhere_are_reported_and_never_become_half_a_bui
 }
 
 TEST(ImportTorture, real_models_and_large_offices_are_read_within_the_limits) {
-    // Reads all available models. The report must give a line for each door that nobody can pass. These doors are
-    // French windows with a railing.
+    // Reads all available models. The report must give a line for each door that nobody can pass. In these models, such
+    // doors are French windows with a railing.
     constexpr int kFrenchWindows = 20;
     int shut = 0;
     std::vector<fs::path> models;

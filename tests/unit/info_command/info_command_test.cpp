@@ -90,12 +90,13 @@ TEST(InfoCommand, prints_every_key_as_one_json_object) {
     EXPECT_EQ(json["materials"], nlohmann::json({"brick", "wood"}));
     EXPECT_EQ(json["bounds_min_m"], nlohmann::json({-0.5, -0.5, -0.5}));
     EXPECT_EQ(json["scale_m_per_unit"], 1.0 / 32.0);
-    EXPECT_EQ(json["guessed"].size(), 3U);  // the last guess is about the rooms
-    // What the touch model contains, and which stages are off, because the world does not need them.
+    EXPECT_EQ(json["guessed"].size(), 3U);  // the third one is about the rooms
+    // The touch model contains the following. The list of stages that are off names those that this world does not
+    // need.
     EXPECT_EQ(json["touch_model"]["boxes"], 7);  // six walls and the door; the water is no obstacle
     EXPECT_EQ(json["touch_model"]["brushes"], 0);
     EXPECT_EQ(json["touch_model"]["triangles"], 0);
-    EXPECT_EQ(json["touch_model"]["bodies"], 1);  // the door is a separate body, as in a session
+    EXPECT_EQ(json["touch_model"]["bodies"], 1);  // the door, which is a separate body, as in a session
     EXPECT_EQ(json["touch_model"]["liquids"], 1);
     EXPECT_EQ(json["touch_model"]["liquids_with_drag"], 0);
     EXPECT_EQ(json["touch_model"]["magnets"], 0);
@@ -131,7 +132,7 @@ TEST(InfoCommand, gives_the_same_facts_in_sentences) {
 
 TEST(InfoCommand, reports_how_exploring_changes_a_mesh) {
     const test::TemporaryFolder folder;
-    // A wall, and a floor of four triangles, one of which occurs twice.
+    // The world is a wall and a floor of four triangles. One of the triangles occurs twice.
     const std::filesystem::path file = folder.write(
         "hall.obj",
         "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 0\nv 0 0 2\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 1 2 5\nf 1 2 6\n");

@@ -62,7 +62,7 @@ TEST(Learner, withdrawal_of_consent_leaves_no_trace_of_it) {
     EXPECT_EQ(text->find("record"), std::string::npos) << *text;
 }
 
-// Each row contains the expected line of the fault and part of the message.
+// Each row contains a damaged file, the line in which the fault must be reported, and part of the message.
 TEST(Learner, file_that_is_damaged_is_refused_with_file_and_line) {
     struct Row {
         const char* text;

@@ -6,7 +6,7 @@
 namespace handrail::test {
 namespace friction_test {
 
-constexpr double kStiffness = 1000.0;  // N/m: a depth of a millimetre gives a newton
+constexpr double kStiffness = 1000.0;  // stiffness in N/m: a depth of a millimetre gives a newton
 
 TouchTuning rubbing(double mu_static, double mu_kinetic) {
     TouchTuning tuning = loop_tuning(kStiffness);

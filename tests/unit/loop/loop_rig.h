@@ -1,5 +1,5 @@
-// Walls for the closed loop. They are half-spaces in a random orientation, which the tests touch through touch_tick as
-// the program does.
+// Provides walls for the closed loop. They are half-spaces in a random orientation, which the tests touch through
+// touch_tick as the program does.
 #pragma once
 
 #include <random>

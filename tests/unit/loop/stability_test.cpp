@@ -12,8 +12,8 @@ TEST(Stability, a_hand_that_presses_six_newtons_comes_to_rest_at_the_recommended
     for (const double mass_kg : {0.1, 0.3, 0.5})
         for (const double grip : {1.0, 3.0, 10.0})
             for (const double delay_s : {0.0, 1e-3, 2e-3}) {
-                // Applies the stability rule with and without damping by the renderer. Without damping, the passivity
-                // guard must make the loop stable.
+                // Applies the stability rule with and without damping by the renderer. Without that damping, the
+                // passivity guard must make the loop stable.
                 for (const double damping : {5.0, 0.0}) {
                     ++seed;
                     SCOPED_TRACE(fmt::format("mass {} kg, grip {} Ns/m, delay {} s, damping {} Ns/m, seed {}", mass_kg,
@@ -117,7 +117,8 @@ TEST(PassivityGuard, leaves_damped_surfaces_bit_identical) {
     LoopSettings settings;
     settings.hand.damping_ns_per_m = 1.2;
     settings.hand.spring_n_per_m = 300.0;
-    // So stiff that the loop rings and the passivity guard would have to act.
+    // The surface is so stiff that the loop rings and that the passivity guard would have to act if nothing damped the
+    // surface.
     TouchTuning tuning = loop_tuning(4000.0, 2.0);
     std::vector<Vec3> forces[2];
     for (const bool guard : {false, true}) {

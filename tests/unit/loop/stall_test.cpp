@@ -1,4 +1,4 @@
-// The loop stalls repeatedly while a hand presses in and out. The test runs the whole servo tick with its limiter.
+// Tests a loop that stalls repeatedly while a hand presses in and out. Runs the whole servo tick with its limiter.
 #include "haptic/servo/servo_tick.h"
 #include "tests/support/names.h"
 #include "tests/unit/loop/loop_rig.h"

@@ -1,4 +1,4 @@
-// A walker must not be able to enter a closed mesh that is not convex, not even from a start inside one.
+// Tests that a walker cannot enter a closed mesh that is not convex, not even from a start inside such a mesh.
 #include <gtest/gtest.h>
 
 #include "tests/support/block_mesh.h"
@@ -22,7 +22,7 @@ TEST(WalkSpace, contains_no_place_inside_a_closed_mesh_of_any_form) {
     const test::BlockMesh rocks = test::block_mesh(blocks, [](const Vec3& p) { return Vec3(2, 2, 0) + p; });
     Result<Scene> scene = read_stl(floor.stl("court") + rocks.stl("rocks"), "court.stl");
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
-    // A place outside, one in a rock, and one in the yard.
+    // The starts are outside, in a rock, and in the yard.
     for (const Vec3& feet : {Vec3(1, 1, 0), Vec3(3, 3, 0), Vec3(5.5, 6, 0)}) {
         Start start;
         start.feet_m = feet;

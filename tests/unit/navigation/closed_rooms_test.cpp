@@ -1,5 +1,5 @@
-// A room to which nothing leads is still a room, which is reported as out of reach. The tops of walls, roofs and things
-// are not rooms.
+// Tests rooms to which nothing leads. They must be rooms that the program reports as out of reach. The tops of walls,
+// roofs and things must not be rooms.
 #include <gtest/gtest.h>
 
 #include <functional>

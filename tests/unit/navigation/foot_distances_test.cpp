@@ -27,7 +27,7 @@ RoomGraph random_building(std::mt19937& random, int rooms, int portals) {
     return graph;
 }
 
-// Returns the shortest distance. Considers all places at once. Each doorway gives two of them, one for the room on each
+// Returns the shortest distance over all places at once. Each doorway gives two of the places, one for the room on each
 // side.
 double shortest_m(const RoomGraph& graph, std::uint32_t from, const Vec3& from_m, std::uint32_t to, const Vec3& to_m) {
     struct Place {

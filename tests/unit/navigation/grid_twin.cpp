@@ -88,7 +88,7 @@ bool GridTwin::flood_from(const Vec3& feet_m) {
             const TraceHit down =
                 world_->trace(over.end_m, over.end_m - Vec3(0.0, 0.0, lift + body_.step_up_m + 0.02), shape);
             if (!down.hit || down.normal.z < 0.7) continue;
-            // Number() may enlarge next_, so the code calls it first.
+            // number() may enlarge next_, so the code must call it before it writes to next_.
             const int there = number({aim.x, aim.y, down.end_m.z});
             next_[at][way] = there;
         }

@@ -1,7 +1,7 @@
-// The brute-force reference for routes. It moves a walker from square to square through the world that walking itself
-// uses (WalkerWorld): it lifts the walker, moves it, and sets it down. Then Dijkstra's algorithm runs over the squares
-// and the lift rides. Finally it straightens the path over all pairs of squares. It shares no code with
-// worlds/navigation and does not use Recast.
+// Finds routes by brute force, as a reference for tests. The class moves a walker from square to square through the
+// world that walking itself uses (WalkerWorld): it lifts the walker, moves it, and sets it down. Then Dijkstra's
+// algorithm runs over the squares and the lift rides. Finally the class straightens the path over all pairs of squares.
+// It shares no code with worlds/navigation and does not use Recast.
 #pragma once
 
 #include <map>

@@ -73,7 +73,7 @@ public:
         double walked_m = 0.0;
         bool stopped = false;
     };
-    // Walks `most_m`, or less if something stops the walker or `over` returns true.
+    // Walks `most_m` towards `heading_rad`. Walks less if something stops the walker or `over` returns true.
     Went walk(double heading_rad, double most_m, const std::function<bool(double)>& over = {}) {
         constexpr double kSpeed_m_per_s = 1.2, kTick_s = 1.0 / 60.0;
         Went went;
@@ -288,7 +288,7 @@ TEST(LiteralWalker, gets_from_each_room_of_the_school_to_each_other) {
     const Counted counted = count(school, 5, test::every(97, 211));
     EXPECT_GT(counted.routes, 1);
     EXPECT_EQ(counted.without, 0);
-    // The shares that the directions achieve now. The goals are 98 and 95 percent.
+    // The shares of successful walks that the directions achieve now. The goals are 98 and 95 percent.
     EXPECT_TRUE(test::enough(counted.exact, counted.routes, 98));
     EXPECT_TRUE(test::enough(counted.with_errors, counted.runs, 90));
 }

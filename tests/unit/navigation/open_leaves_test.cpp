@@ -52,8 +52,8 @@ TEST(OpenLeaves, occupy_exactly_the_places_where_a_body_would_overlap_them) {
             const double up_m = round == 0   ? 1.9
                                 : round == 1 ? -2.1
                                 : round == 2 ? 0.3
-                                             // Above the walker's head, under the floor, above the walker's soles, at
-                                             // floor level.
+                                             // The leaves are above the walker's head, under the floor, above the
+                                             // walker's soles, or at floor level.
                                              : 0.0;
             std::vector<OpenLeaf> leaves{
                 leaf(at + Vec3(12.0 * part(), 4.0 * part(), up_m), 2.0 * kPi * part()),
@@ -65,7 +65,8 @@ TEST(OpenLeaves, occupy_exactly_the_places_where_a_body_would_overlap_them) {
             EXPECT_EQ(marks.empty(), !meets);
             for (std::uint32_t s = 0; s < space.spans.size() && meets; ++s) {
                 const Vec3 place = space.place_m(s);
-                double nearest_m = 1e9;  // distance from points on the leaves, which are a centimetre apart
+                // Distance from the nearest of the points on the leaves, which are a centimetre apart.
+                double nearest_m = 1e9;
                 for (const OpenLeaf& one : leaves) {
                     const PlacedFrame frame(one.at);
                     for (int i = 0; i <= 90; ++i)
@@ -110,7 +111,7 @@ TEST(OpenLeaves, are_avoided_if_there_is_room_and_otherwise_crossed) {
                 EXPECT_LT(round.length_m, plain.length_m + 1.0);
                 EXPECT_LT(glm::length(round.points_m.back() - (back ? from : to)), 0.1);
             }
-            // Nobody can pass the leaf. The route must lead through it, because a person can shut the door.
+            // Nobody can walk around the leaf. The route must lead through it, because a person can shut the door.
             narrow->know_leaves(std::vector{leaf(at + Vec3(6, 0, 0), 0.5 * kPi)});
             const Route through = narrow->plan(from, to, wish);
             EXPECT_TRUE(through.reaches);
@@ -123,7 +124,7 @@ TEST(OpenLeaves, are_avoided_if_there_is_room_and_otherwise_crossed) {
             EXPECT_LT(glm::length(over.points_m.back() - (at + Vec3(6, 0.6, 0))), 0.6);
             EXPECT_EQ(*wide->nearest_place(at + Vec3(6, 0.6, 0)), over.points_m.back())
                 << "which is where one can stand";
-            // When the door is shut again, the route must be the original one.
+            // When the door is shut again, the route must be the original route.
             wide->know_leaves({});
             EXPECT_FALSE(wide->meets_leaf(plain.points_m));
             EXPECT_EQ(wide->plan(from, to, wish).points_m, plain.points_m);

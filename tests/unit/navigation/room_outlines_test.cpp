@@ -77,11 +77,12 @@ void is_sound(const Floor& floor) {
             for (std::size_t i = 0; i < loop.size(); ++i) {
                 const Vec2 one = loop[(i + 1) % loop.size()] - loop[i],
                            next = loop[(i + 2) % loop.size()] - loop[(i + 1) % loop.size()];
-                const bool back = one.x * next.x + one.y * next.y < 0.0;  // the loop turns back at the end of a step
+                // Here the loop reverses its direction, at the end of a step.
+                const bool back = one.x * next.x + one.y * next.y < 0.0;
                 EXPECT_TRUE(back || std::abs(one.x * next.y - one.y * next.x) > 1e-6) << "a corner that is none";
             }
         }
-        // An area below half a square metre may have no loop.
+        // Up to half a square metre of a room's places may be outside its loops.
         const double cell_m2 = floor.space.cell_area_m2();
         EXPECT_GE(inside[r] + static_cast<int>(0.5 / cell_m2), all[r]);
         EXPECT_GE(inside[r], all[r] * 9 / 10) << floor.graph.rooms[r].name;

@@ -56,7 +56,7 @@ std::string described(const RoomGraph& graph) {
     return text;
 }
 
-// Checks what must be true in every world.
+// Checks the rules that the rooms of every world must obey.
 void is_sound(const World& world) {
     const RoomGraph& graph = world.graph;
     ASSERT_EQ(graph.room_of_span.size(), world.navigation->space().spans.size());
@@ -111,7 +111,7 @@ TEST(Rooms, of_our_house_are_all_found_and_named_and_every_door_joins_two) {
     joins("Guest room door", "Landing", "Guest room");
     joins("Upper bathroom door", "Landing", "Upper bathroom");
     joins("Music room door", "Landing", "Music room");
-    // The wide opening between living room and kitchen, 1.6 m.
+    // The opening between living room and kitchen must be 1.6 m wide.
     const std::set<std::uint32_t> open{room("Living room"), room("Kitchen")};
     const auto opening = std::find_if(world.graph.portals.begin(), world.graph.portals.end(), [&](const Portal& p) {
         return p.kind == PassageKind::Opening && std::set<std::uint32_t>{p.rooms[0], p.rooms[1]} == open;

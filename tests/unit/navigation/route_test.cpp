@@ -81,8 +81,8 @@ void agree(const Route& route, const Vec3& to, std::optional<double> least_m, st
 }
 
 // Checks whether a walker gets from `from` to each of `places`, and how long the shortest route is. If `back` is true,
-// also checks the way back, which is as long inside a building. It differs if a walker can get down from a high box but
-// not up.
+// also checks the routes back, which are as long inside a building. They are not if a walker can get down from a high
+// box but not up again.
 int agrees_with(const Twins& twins, Navigation& navigation, const Vec3& from, const std::vector<Vec3>& places,
                 bool back) {
     int compared = 0;
@@ -468,7 +468,7 @@ TEST(Routes, in_a_huge_world_use_larger_cells_and_report_it) {
     EXPECT_LT((*made)->space().spans.size(), 2'000'000U);
     EXPECT_NEAR((*made)->plan({0, 0, 0}, {30, 40, 0}).length_m, 50.0, 0.5);
 
-    // A distant block must not make a small house count as large.
+    // A block far away must not make the program treat a small house as large.
     SceneBuilder house;
     house.box({0, 0, -1}, {10, 10, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
     house.box({9e5, 9e5, 0}, {9e5 + 1, 9e5 + 1, 1}, "moon", SolidRole::Solid, {}, FeatureKind::Wall);

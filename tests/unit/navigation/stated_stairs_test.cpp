@@ -1,5 +1,5 @@
-// Stairs that a file states must be walked wherever a walker's body can walk them. Elsewhere a link must join their two
-// ends.
+// Tests stairs that a file states. Routes must lead over their steps wherever a walker's body can walk them. Elsewhere
+// a link must join the two ends of the stairs.
 #include "worlds/navigation/stated_stairs.h"
 
 #include <gtest/gtest.h>
@@ -122,8 +122,8 @@ TEST(StatedStairs, of_each_form_can_be_walked_up_and_down) {
 }
 
 // If the file does not state the stairs, no walker of that width and height can walk the same treads. In architects'
-// models, walls often consist of pieces on top of each other. When a foot passes the upper piece, the lower piece must
-// not count as a ledge.
+// models, walls often consist of pieces on top of each other. A foot that passes the upper piece must not meet the
+// lower piece as a ledge.
 TEST(StatedStairs, next_to_walls_in_pieces_work_like_next_to_whole_walls) {
     std::mt19937 random(20261129);
     const int rounds = test::kSanitizerScale < 1.0 ? 1 : 3;
@@ -231,8 +231,8 @@ TEST(StatedStairs, that_join_nothing_or_lead_to_an_unreachable_place_make_no_lin
     }
 }
 
-// The test finds out by walking whether a walker gets up. A link must exist exactly if the walker does not, both near
-// the origin and far from it.
+// The test finds out by walking whether a walker gets up. A link must exist if the walker does not get up, and only
+// then. This must be so near the origin and far from it.
 TEST(StatedStairs, of_any_step_size_become_a_link_exactly_if_nobody_can_walk_up) {
     std::mt19937 random(17);
     int walked = 0, taken = 0;

@@ -70,8 +70,8 @@ TEST(NearOnWay, keeps_its_place_on_a_path_that_passes_close_to_itself) {
     EXPECT_NEAR(near_on_way(std::vector<Vec3>{{1, 1, 1}}, {1, 1, 3}, 0.0).distance_m, 1.0, 1e-12);
 }
 
-// A wall separates the two long legs. The leg behind the wall is nearer, but the walker cannot see it, so it must not
-// count as a short cut.
+// A wall separates the two long legs. The leg behind the wall is nearer, but the walker cannot see it. So near_on_way()
+// must not choose a place on that leg.
 TEST(NearOnWay, takes_no_short_cut_through_an_opaque_wall) {
     const std::vector<Vec3> way{{0, 0, 0}, {10, 0, 0}, {10, 2, 0}, {0, 2, 0}};
     const Vec3 at(4, 0.9, 0);
@@ -86,8 +86,8 @@ TEST(NearOnWay, takes_no_short_cut_through_an_opaque_wall) {
     EXPECT_NEAR(stays.distance_m, glm::length(Vec3(5, 0, 0) - at), 1e-12);
     EXPECT_NEAR(near_on_way(way, at, 11.0, 1.0, [](const Vec3&) { return false; }).place_m.y, 1.0, 1e-12)
         << "on the short leg between";
-    // If only a much farther place is visible, it is not the walker's place: something thin merely hides the nearest
-    // place.
+    // If only a much farther place is visible, near_on_way() must not choose it, because something thin merely hides
+    // the nearest place.
     const auto far_end = [&](const Vec3& place) { return place.x > 9.0; };
     EXPECT_NEAR(near_on_way(way, at, 5.0, 1.0, far_end).along_m, 5.0, 1e-12);
 }

@@ -1,6 +1,6 @@
 // Tests routes for announced directions, and the simulated walker that follows them, in rooms made of a few boxes.
 // Tests what stops the walker, what it slides along, and the doorway into which it slides. Also tests that routes keep
-// away from edges and know their own errors.
+// away from edges, and that they report their own errors.
 #include "worlds/navigation/directions_route.h"
 
 #include <random>
@@ -118,7 +118,8 @@ TEST(BlindGround, slides_a_body_into_the_doorway_whose_frame_it_met_and_into_no_
                 EXPECT_LE(*aside_m * off_m, 0.0) << "away from the doorway";
             }
             // The gap leaves 20 cm free on each side of the walker. Up to an offset of 0.55 m, the walker must always
-            // find the gap; beyond 0.95 m, never. In between, it may drift on its way to the wall.
+            // find the gap; beyond 0.95 m, never. In between, the walker may drift on the way to the wall, so either
+            // result is allowed.
             const bool sure = std::abs(off_m) < 0.55;
             if (sure) {
                 EXPECT_TRUE(aside_m) << off_m << " " << heading;
@@ -141,8 +142,8 @@ TEST(BlindGround, slides_a_body_into_the_doorway_whose_frame_it_met_and_into_no_
     EXPECT_FALSE(room.ground->line_up_m(at(room, 3.4, 4.6), 0.0, {}));
 }
 
-// A plain search for the doorway, without doors. The reference walker takes each stride in full and checks the borders
-// of its cell.
+// Searches for the doorway in a simple way, in a world without doors. This reference walker takes each stride in full
+// and checks the borders of its cell.
 struct PlainStrides {
     const WalkSpace& space;
     double stride_m = 0.8 * space.cell_m;
@@ -207,7 +208,7 @@ TEST(BlindGround, lines_up_bit_identically_to_a_full_length_search_that_checks_e
             wall(b, {x, y, 0}, {x + 0.1 + part(), y + 0.1 + part(), 2.6});
         }
         const Room room = room_of(b);
-        WalkSpace moved = room.navigation->space();  // far from the origin, only rounding makes the values coarser
+        WalkSpace moved = room.navigation->space();  // far from the origin, rounding makes the values coarser
         moved.origin_m += Vec3(far_m, -far_m, 0.0);
         const BlindGround ground(moved, {});
         const PlainStrides twin{moved};
@@ -317,7 +318,7 @@ TEST(DirectionsRoute, does_not_exist_to_an_unreachable_place_or_after_cancellati
     EXPECT_FALSE(planner.plan({2, 4, 0}, 0.0, south, {}, {}, stop.get_token()));
 }
 
-// A platform that ends on two sides with a drop of half a metre.
+// The platform ends on two sides with a drop of half a metre.
 TEST(DirectionsRoute, never_leads_a_body_with_walking_errors_over_an_edge) {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {3, 12, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);

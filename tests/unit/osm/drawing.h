@@ -15,7 +15,7 @@
 
 namespace handrail::test {
 
-// Writes a file of nodes and ways. Places are in metres.
+// Writes an OpenStreetMap file of nodes and ways. Places are in metres.
 class Drawing {
 public:
     using Tags = std::vector<std::pair<std::string, std::string>>;

@@ -1,5 +1,5 @@
-// If a place is too large for fine columns, a walker must still be able to walk in it, and the reader must report the
-// omitted parts.
+// Tests places that are too large for fine columns. A walker must still be able to walk in such a place, and the reader
+// must report the omitted parts.
 #include <gmock/gmock.h>
 
 #include "tests/support/names.h"

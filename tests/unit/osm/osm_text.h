@@ -1,4 +1,4 @@
-// The text of a small building from OpenStreetMap, which tests change.
+// Provides the OpenStreetMap text of a small building, which tests change.
 #pragma once
 
 #include <string>
