@@ -181,7 +181,7 @@ TEST(OsmRealFiles, include_the_rooms_and_footways_of_the_university_across_store
     EXPECT_EQ(report.rooms, 476 + 22);
     EXPECT_GE(report.largest_connected, 466);
     EXPECT_GE(report.doors, 490);
-    // These are doors above the ground that lead nowhere, and a winding stair of 3.6 m.
+    // The impassable doors are doors above the ground that lead nowhere, and a winding stair of 3.6 m.
     EXPECT_LE(report.doors_impassable, 6);
     EXPECT_EQ(report.lifts, 2);
     EXPECT_EQ(report.stairs, 8 + 2) << "two of them outside";

@@ -1,4 +1,4 @@
-// Whatever a file contains, the reader must return a world or one sentence.
+// Tests that the reader returns a world or one sentence, whatever a file contains.
 #include <gmock/gmock.h>
 
 #include <random>

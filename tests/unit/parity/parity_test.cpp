@@ -1,5 +1,5 @@
-// Handrail succeeds a plugin. The test compares the plugin's interface with Handrail's, line by line of the list in
-// docs/developer/adding.md, and calls every row.
+// Handrail succeeds a plugin. Compares the plugin's interface with Handrail's, line by line of the list in
+// docs/developer/adding.md, and calls every function of the list.
 #include <algorithm>
 #include <functional>
 #include <regex>
@@ -82,7 +82,7 @@ const std::vector<Row>& rows() {
          [] {
              Demo demo;
              EXPECT_TRUE(demo.loop->open());
-             // A missing device, which gives the reason in a sentence.
+             // A missing device. Opening it fails with the reason in a sentence.
              struct Absent final : HapticDevice {
                  const DeviceSpec& spec() const override { return *find_device_spec("touch"); }
                  Result<void> open() override { return fail("No device of 3D Systems answers."); }
@@ -270,7 +270,7 @@ const std::vector<Row>& rows() {
 }
 
 TEST(ParityWithTheOriginal, every_line_of_the_list_has_a_test_here_and_names_an_existing_file) {
-    // A line such as "- `start()`: `ServoLoop::start` (`haptic/servo/servo_loop.h`)".
+    // Matches a line such as "- `start()`: `ServoLoop::start` (`haptic/servo/servo_loop.h`)".
     static const std::regex kLine(R"re(- (.+?): .* \(`([^`]+)`\))re");
     std::vector<std::string> listed, called;
     for (const std::string& line : test::list_items("developer/adding.md", "## The original's interface and ours")) {

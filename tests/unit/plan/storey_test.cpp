@@ -168,11 +168,11 @@ TEST(StoreyPlan, of_floors_above_each_other_has_two_parts) {
         doors += !joins(lower, portal) && std::abs(portal.place_m.y - 4.0) < 0.5 ? 1 : 0;
     }
     EXPECT_EQ(doors, 1U) << "between the two rooms of the deck";
-    // If no floors of a storey are above each other, the storey must have no second plan.
+    // If no floors of a storey are above each other, the storey must have only one plan.
     EXPECT_TRUE(plans_of(std::move(TwoRooms().build.scene())).uppers.empty());
 }
 
-// Beyond the walkable area, the roof comes down. A walker's head meets it there, but nothing is near at hand height.
+// The roof comes down beyond the walkable area. There it stops a walker's head, but nothing is near at hand height.
 TEST(StoreyPlan, is_closed_where_a_roof_is_too_low_for_a_body) {
     SceneBuilder build;
     const auto wall = [&](double x0, double y0, double x1, double y1) {

@@ -1,4 +1,4 @@
-// The reader must read the bundled worlds without warnings. Under every start must be one floor, and nothing may
+// Tests that the reader reads the bundled worlds without warnings. Under every start must be one floor, and nothing may
 // overlap a start.
 #include <filesystem>
 

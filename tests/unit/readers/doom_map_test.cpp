@@ -58,8 +58,8 @@ TEST(DoomMaps, lose_the_brush_whose_plane_has_no_direction) {
     EXPECT_THAT(reading.said.front(), testing::HasSubstr("no direction"));
 }
 
-// Whatever fineness the file requests, the reader must not make this patch finer than its own limit. The patch is a
-// sine with many control points.
+// The file requests a very fine patch, a sine with many control points. The reader must not make the patch finer than
+// its own limit.
 TEST(DoomMaps, limit_how_fine_a_patch_becomes) {
     std::string patch = "{\npatchDef3\n{\n\"textures/a/b\"\n( 3 3 9999 9999 0 0 0 )\n(\n";
     for (int row = 0; row < 3; ++row) {

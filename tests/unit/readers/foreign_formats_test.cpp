@@ -17,8 +17,8 @@ std::string said_of(const std::string& name, std::string_view bytes) {
     return scene ? "read as " + scene->report.format : scene.error().message;
 }
 
-// Returns the directory of an archive that contains one file called `name`. It follows the header of the archive's
-// first entry.
+// Returns the header of an archive's first entry, followed by the directory of an archive that contains one file called
+// `name`.
 std::string archive_with(const std::string& name) {
     std::string list(46, '\0');
     list.replace(0, 4, "PK\x01\x02");

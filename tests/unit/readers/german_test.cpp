@@ -1,4 +1,5 @@
-// The readers' messages in another language must be whole sentences with that language's numbers and word order.
+// Tests the readers' messages in another language. They must be whole sentences with that language's numbers and word
+// order.
 #include "tests/support/map_text.h"
 #include "tests/support/names.h"
 #include "tests/support/spoken_language.h"

@@ -1,5 +1,5 @@
-// Tests height pictures. Every kind of PNG must give the same depths, and a file that is no picture must give a
-// sentence. The test writes the pictures itself, chunk by chunk.
+// Tests height pictures. Every kind of PNG must give the same depths, and a file that is not a picture must give an
+// error message of one sentence. The test writes the pictures itself, chunk by chunk.
 #include "worlds/readers/height_picture.h"
 
 #include <functional>
@@ -104,7 +104,7 @@ std::string png(int width, int height, const Kind& kind, const Samples& sample, 
     return out;
 }
 
-// All pictures below show this content: values from 0 to 1 in steps that every bit depth can represent.
+// The content of all pictures below: values from 0 to 1 in steps that every bit depth can represent.
 constexpr int kWidth = 13, kHeight = 9;
 double shown(int x, int y, int bits) {
     const int steps = bits == 1 ? 1 : 3;

@@ -1,5 +1,5 @@
-// Tests forces in space, as a map defines them. Every key must take effect. The reader must refuse impossible values by
-// name and load the rest.
+// Tests forces in space, as a map defines them. Every key must change the force that the reader defines. The reader
+// must refuse impossible values with the name of the key, and load the rest.
 #include "tests/support/map_text.h"
 #include "tests/support/names.h"
 #include "tests/unit/readers/reading.h"

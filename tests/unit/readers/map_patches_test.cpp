@@ -1,5 +1,5 @@
-// The reader must read curved patches and brushDef in a map, cut them into triangles and report them. Damage may cost
-// only the patch, not the map.
+// Tests curved patches and brushDef in a map. The reader must cut them into triangles and report them. If a patch is
+// damaged, only that patch may be lost, not the map.
 #include "tests/support/map_text.h"
 #include "tests/support/names.h"
 #include "tests/unit/readers/reading.h"

@@ -1,5 +1,5 @@
-// Tests exact shapes in a map. A map requests them by the key cs_name, as the original's maps do, or by the keys
-// `shape` and `axis`.
+// Tests exact shapes in a map. A map requests an exact shape by the key cs_name, as the original's maps do, or by the
+// keys `shape` and `axis`.
 #include "tests/support/map_text.h"
 #include "tests/support/names.h"
 #include "tests/unit/readers/reading.h"
@@ -23,7 +23,7 @@ bool heard(const Reading& reading, const std::string& part) {
                        [&](const std::string& s) { return s.find(part) != std::string::npos; });
 }
 
-const std::string kCube = box_brush(64, 64, 0, 96, 96, 32);     // side 1 m, from (2, 2, 0)
+const std::string kCube = box_brush(64, 64, 0, 96, 96, 32);     // side 1 m, with a corner at (2, 2, 0)
 const std::string kPillar = box_brush(64, 64, 0, 96, 96, 128);  // 1 by 1 m, 4 m high
 
 TEST(MapShapes, dynamic_things_take_their_sizes_from_their_bounding_box) {

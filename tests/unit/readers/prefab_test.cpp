@@ -1,5 +1,5 @@
-// Tests furniture that one key places. It must be at the stated place, face the stated direction, and have its own name
-// and materials.
+// Tests furniture that a map places with a single key. The furniture must be at the stated place, face the stated
+// direction, and have its own name and materials.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -63,7 +63,7 @@ TEST(Prefabs, are_placed_and_turned_as_written_with_each_part_in_its_material) {
                 const Aabb& box = prefab.parts[i].box_m;
                 const Vec3 size = box.size_m();
                 EXPECT_NEAR(solids[i].shape.bounds_m.size_m().z, size.z, 1e-6);
-                // Tests points just inside and just outside each side.
+                // Tests points just inside and just outside each side of the furniture.
                 for (const Vec3& side :
                      {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
                     EXPECT_TRUE(contains(solids[i].shape, placed(box.centre_m() + side * (0.5 * size - 1e-4))));

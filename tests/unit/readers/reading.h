@@ -1,4 +1,4 @@
-// A Scene as the readers' tests check it, with its warnings as the session announces them.
+// Provides a Scene as the readers' tests check it, with its warnings as the session announces them.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Tests which length of a unit the reader assumes if the file does not state it.
+// Tests which length of a unit the reader assumes if the file does not state that length.
 #include "worlds/readers/units.h"
 
 #include <gmock/gmock.h>

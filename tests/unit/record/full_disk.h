@@ -3,8 +3,8 @@
 
 namespace handrail::test {
 
-// Makes writes to files fail with ENOSPC from any thread, until this object is destroyed. Of the write number
-// `from_write`, counted from 1, only half succeeds; all later writes fail. If `from_write` is 0, all writes fail.
+// Makes writes to files fail with ENOSPC from any thread, until this object is destroyed. Write number `from_write`,
+// counted from 1, stores only half of its bytes; all later writes fail. If `from_write` is 0, all writes fail.
 class FullDisk {
 public:
     explicit FullDisk(long from_write);

@@ -1,6 +1,6 @@
-// From a recording of the engine of movable bodies, the program must recompute the engine and the hands bit for bit. It
-// must do so even if the engine stalled so long that its queues for pushes and orders were full, and if the engine
-// skipped time.
+// Tests recordings of the engine of movable bodies. From such a recording, the program must recompute the engine and
+// the hands bit for bit. It must do so even if the engine stalled so long that its queues for pushes and orders were
+// full, and if the engine skipped time.
 #include "app/record/played_bodies.h"
 
 #include <random>
@@ -69,7 +69,7 @@ private:
 };
 
 // Gives the engine the session's orders in a frame: it places a walker and shoves things. Every fifty frames it gives
-// far more orders than fit.
+// far more orders than fit into the engine's queue.
 void ask(BodyEngine& engine, int frame, std::vector<char>& answers) {
     BodyEngine::Order walker;
     walker.kind = BodyEngine::Order::Kind::Walker;

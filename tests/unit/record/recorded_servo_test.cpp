@@ -1,5 +1,5 @@
-// Tests what a servo gives to a recording: what each tick read. From it, the test must be able to recompute the same
-// ticks.
+// Tests what a servo writes into a recording: the inputs of each tick. From these inputs, the test must be able to
+// recompute the same ticks.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -13,8 +13,8 @@
 namespace handrail {
 namespace recorded_servo_test {
 
-// Runs a hand for `ticks` milliseconds, which follows a target back and forth in empty space. If `ring` is null,
-// nothing is recorded.
+// Runs the servo with a hand for `ticks` milliseconds. The hand follows a target back and forth in empty space. If
+// `ring` is null, nothing is recorded.
 std::vector<ToolState> stepped(int ticks, HandRing* ring, std::vector<HandRow>* rows) {
     VirtualClock clock;
     clock.advance_s(100.0);

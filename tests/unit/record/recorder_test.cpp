@@ -1,4 +1,4 @@
-// A recording must stay readable, however the program or the disk fails.
+// Tests that a recording stays readable, however the program or the disk fails.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -81,8 +81,8 @@ TEST(Recorder, that_is_killed_at_any_moment_loses_no_more_than_half_a_second) {
     RecordProperty("worst_events_ms", static_cast<int>(worst_events_s * 1e3));
     std::printf("%d kills: at most %.0f ms of the hand and %.0f ms of events lost\n", kills, worst_hand_s * 1e3,
                 worst_events_s * 1e3);
-    // The limits are generous, because other tests may keep the machine busy. docs/results.md contains measurements
-    // without load.
+    // The limits are far above the usual losses, because other tests may keep the machine busy. docs/results.md
+    // contains measurements without load.
     EXPECT_LT(worst_hand_s, 2.0);
     EXPECT_LT(worst_events_s, 2.0);
 }
@@ -111,7 +111,8 @@ TEST(Recorder, with_a_full_disk_at_any_write_reports_one_sentence_and_the_sessio
             "The recording ends here, because it can no longer be written: No space left on device. Everything else "
             "keeps working.");
         EXPECT_FALSE((*recorder)->take_problem());  // the recorder reports the problem only once
-        // The recorder accepts no more rows and no caller must wait. Everything written before must be readable.
+        // After the failure, the recorder accepts no more rows, and no caller must wait for it. Everything written
+        // before must be readable.
         (*recorder)->said(11.0, {"Later.", SpeechClass::Answer}, true);
         for (std::size_t i = 0; i < 2 * HandRing::kRows; ++i) (*recorder)->hand(0).push({});
         (*recorder)->end(11.0);

@@ -64,8 +64,8 @@ void expect_same(const HandRow& a, const HandRow& b) {
     EXPECT_EQ(a.bodies, b.bodies);
 }
 
-// A recording of a second and a half with a hand, frames, steps and lines. Also contains the data that the test
-// recorded.
+// A recording of a second and a half with a hand, frames, steps and lines. `hand` contains the rows that the test
+// recorded, for the comparison.
 struct Made {
     fs::path folder;
     std::vector<HandRow> hand;
@@ -167,7 +167,8 @@ TEST(Recording, cut_at_every_byte_is_read_up_to_its_last_complete_line) {
             ASSERT_EQ(read->problems[0].line, static_cast<int>(ends) + 1);
         }
     }
-    // A cut packed table must give at least the rows of its undamaged pieces, and never a wrong row.
+    // If a compressed table is cut, the reader must return at least the rows of the undamaged pieces, and never a wrong
+    // row.
     const std::string packed = *read_whole_file(made.folder / "hand.csv.gz");
     std::size_t rows = 0;
     for (std::size_t cut = 0; cut < packed.size(); cut += 41) {
@@ -245,13 +246,13 @@ TEST(RecordingRows, that_are_invalid_are_reported_with_file_and_line) {
     };
     const std::string no_row = "This row must have one whole number for each column.";
     EXPECT_EQ(problem("=1,2\n,,3\n"), "");
-    // The numbers are differences from the previous row, but there is none.
+    // This row contains differences from the previous row, but there is no previous row.
     EXPECT_EQ(problem("1,2\n"), "cues.csv.gz, line 2: " + no_row);
     EXPECT_EQ(problem("=1,2\n1.5\n"), "cues.csv.gz, line 3: " + no_row);
     EXPECT_EQ(problem("=1,2,3,4,5,6\n"), "cues.csv.gz, line 2: " + no_row);
     EXPECT_EQ(problem("=9223372036854775807\n1\n"), "cues.csv.gz, line 3: " + no_row);
     EXPECT_EQ(problem("=1,2"), "cues.csv.gz, line 2: The last line is not complete.");
-    // Older recordings have fewer columns.
+    // Recordings of older versions have fewer columns.
     const auto older = read_rows<kFrameColumns>("t_us,tick,left_tick,x_mm,y_mm,z_mm,heading_cdeg\n=5,6\n1\n",
                                                 frame_header(), "frames.csv.gz");
     EXPECT_FALSE(older.problem);

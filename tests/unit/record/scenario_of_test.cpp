@@ -78,8 +78,8 @@ TEST(ScenarioOfRecording, uses_the_same_input_mode_as_the_session) {
     EXPECT_THAT(scenario_with(""), HasSubstr("acts_by = \"window-keys\"\n"));
 }
 
-// The conversion must omit and count actions that the scenario cannot perform and lines that the scenario announces
-// differently. The remaining expectations must be met.
+// The conversion must omit and count actions that the scenario cannot perform, and lines that a session announces
+// differently when it plays the scenario. The remaining expectations must be met.
 TEST(ScenarioOfRecording, omits_lines_and_expectations_that_fail_in_a_trial_run) {
     ScenarioText text;
     text.toml =

@@ -59,7 +59,7 @@ TEST(HapticScene, gives_place_and_surface_of_every_kind_of_obstacle_near_and_far
             std::uint32_t feature;
         };
         const double rounding = at == Vec3(0.0) ? 1e-12 : 1e-9;
-        // For each sloping side, the query point is 1 m outside, along the normal.
+        // For each sloping side, the query point is 1 m away from that side, along the side's normal.
         const Vec3 slope = glm::normalize(Vec3(1, 0, 1)), slant = glm::normalize(Vec3(2, 0, 1));
         for (const Row& row : {Row{0, {0, -3, 1}, 3, 10},
                                {0, {0, 3, 1}, 3, 10},
@@ -118,7 +118,7 @@ TEST(HapticScene, slides_over_round_solids_in_few_solver_rounds) {
             double rounds = 0, ticks = 0;
             for (double lift = 0.03; lift > -depth; lift -= 1e-4)
                 touch_tick(state, *scene, tuning, {0, 0, 0.055 + lift}, 1e-3);
-            // The hand rests until the proxy has reached its place. Then it circles at 0.1 m/s.
+            // The hand rests until the proxy has reached its resting place. Then the hand circles at 0.1 m/s.
             for (int i = 0; i < 300; ++i) touch_tick(state, *scene, tuning, {0, 0, 0.055 - depth}, 1e-3);
             for (double turn = 0.0; turn < 2 * kPi; turn += 1e-4 / (0.055 - depth)) {
                 const Vec3 goal = (0.055 - depth) * Vec3(std::sin(turn), 0, std::cos(turn));

@@ -1,4 +1,4 @@
-// touch_tick must neither allocate nor free memory. The test counts every call of operator new and delete in this
+// Tests that touch_tick neither allocates nor frees memory. Counts every call of operator new and delete in this
 // program.
 #include "haptic/render/touch.h"
 #include "tests/support/count_allocations.h"

@@ -153,12 +153,12 @@ TEST(Relief, lets_the_hand_sink_to_white_and_changes_nothing_over_black) {
         EXPECT_NEAR(white.force_n.z, 0.002 * 800.0, 1e-6);
         EXPECT_NEAR(white.proxy_m.z, tuning.radius_m - 0.002 * scale, 1e-6 * scale);
         EXPECT_NEAR(glm::length(Vec2(white.force_n)), 0.0, 1e-6);
-        // If the hand is in the hollow but above its bottom, it must touch nothing.
+        // If the hand is in the hollow but above the bottom of the hollow, it must touch nothing.
         const TouchResult hover = press(state, *scene, tuning, 0.1 * scale, 0.001);
         EXPECT_EQ(hover.force_n, Vec3(0.0));
         EXPECT_EQ(hover.contacts.count, 0);
-        // The border between black and white is a ramp with a slope of at most 0.3. It pulls the hand into the hollow,
-        // and the hand must climb it on the way out.
+        // The border between black and white is a ramp with a slope of at most 0.3. On the way in, the ramp pulls the
+        // hand into the hollow. On the way out, the hand must climb the ramp.
         double steepest = 0.0;
         for (double x = -0.03; x <= 0.03; x += 1e-3) {
             const TouchResult r = press(state, *scene, tuning, x * scale, 0.004);

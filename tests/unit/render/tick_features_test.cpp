@@ -1,5 +1,5 @@
-// The compiler builds the tick with and without optional features. The tests check which scenes use which version, and
-// that omitting unused features changes nothing.
+// Tests that the compiler builds the tick with and without optional features. Checks which scenes use which version,
+// and that omitting unused features changes no result.
 #include "haptic/render/tick_features.h"
 
 #include <cstring>
@@ -45,7 +45,7 @@ TEST(TickFeatures, skipping_absent_features_changes_no_bit) {
     }
 }
 
-// At the three damping values, the guard is active, at its limit, and idle (the default).
+// Damping values at which the guard is active, at its limit, and idle; the last is the default.
 TEST(TickFeatures, the_passivity_guard_runs_on_the_plain_path_too_and_changes_no_bit) {
     for (const TouchCase& c : hard_cases()) {
         const auto scene = c.world.scene();

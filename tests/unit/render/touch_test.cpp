@@ -104,7 +104,7 @@ TEST(TouchTick, applies_overrides_before_materials_and_materials_before_defaults
     EXPECT_NEAR(hold(state, *scene, tuning, {0, 0, 0}, 1).force_n.z, 0.005 * 1234.0, 1e-9);
 }
 
-// Invariant I12 of tests/property/invariants_test.cpp.
+// Tests invariant I12 of tests/property/invariants_test.cpp.
 TEST(TouchTick, sticks_inside_the_friction_cone_and_slides_on_it) {
     const auto scene = floor_and_wall();
     for (const double mu : {0.2, 0.4, 1.5}) {
@@ -112,7 +112,8 @@ TEST(TouchTick, sticks_inside_the_friction_cone_and_slides_on_it) {
         TouchTuning tuning;
         tuning.override_friction_static = tuning.override_friction_kinetic = mu;
         press_floor(state, *scene, tuning, 0.0);  // the hand presses 5 mm deep
-        // Stick: a sideways pull of less than mu times the pressing force, with tremor, for 10 s.
+        // Stick: the hand pulls sideways with less than mu times the pressing force, and trembles, for 10 s. The proxy
+        // must not move.
         double drift = 0.0;
         const Vec3 rest = hold(state, *scene, tuning, {0, 0, 0}, 1).proxy_m;
         for (int i = 0; i < 10000; ++i) {
@@ -256,7 +257,7 @@ TEST(TouchTick, never_reenters_a_solid_that_the_ball_but_not_the_hand_has_left) 
     for (int i = 0; i < 1200; ++i) {
         const double x = 0.03 - 1e-4 * (i < 600 ? i : 1200 - i);
         r = touch_tick(state, *scene, tuning, {x, 0, 0.297}, kTick_s);
-        // A movement of 0.1 mm at 0.8 kN/m, in a wedge of 45 degrees.
+        // The tolerance is a movement of 0.1 mm at 0.8 kN/m, in a wedge of 45 degrees.
         ASSERT_LE(glm::length(r.force_n - before_n), 0.17) << i;
         before_n = r.force_n;
         out = out || r.proxy_m.z > 0.3 + tuning.radius_m;
@@ -401,8 +402,8 @@ TEST(TouchTick, never_gives_energy_in_a_liquid) {
 }
 
 TEST(TouchTick, keeps_the_nearest_if_there_are_too_many_candidates) {
-    // 3000 sheets are in one place. The proxy must pass none of them, and the result must report that there were too
-    // many.
+    // 3000 sheets are at nearly the same place. The proxy must pass through none of them, and the result must report
+    // that there were too many.
     HapticSceneBuilder builder;
     for (int i = 0; i < 3000; ++i) builder.add_triangle({-1, -1, -1e-7 * i}, {1, -1, -1e-7 * i}, {0, 2, -1e-7 * i});
     const auto scene = builder.build();
@@ -420,7 +421,7 @@ TEST(TouchTick, keeps_the_nearest_if_there_are_too_many_candidates) {
         << "and the hand is free again above them";
 }
 
-TEST(TouchTick, survives_every_finite_input) {  // invariant I1 of tests/property/invariants_test.cpp
+TEST(TouchTick, survives_every_finite_input) {  // tests invariant I1 of tests/property/invariants_test.cpp
     const auto scene = floor_and_wall();
     TouchState state;
     TouchTuning tuning;
@@ -435,8 +436,8 @@ TEST(TouchTick, survives_every_finite_input) {  // invariant I1 of tests/propert
 }
 
 TEST(TouchTick, examines_a_limited_number_of_triangles_at_a_start_among_thousands) {
-    // A spherical room of 20,480 triangles, which is smaller than the proxy. All triangles are equally near to its
-    // centre.
+    // A spherical room of 20,480 triangles, which is smaller than the proxy. All triangles are equally far from the
+    // room's centre.
     HapticSceneBuilder builder;
     builder.add_mesh(sphere_mesh(32, 0.004));
     const auto scene = builder.build();

@@ -1,5 +1,5 @@
-// Accessibility rules that can be checked without a browser, with a small HTML parser. The parser is only for pages
-// that the program makes. It knows the HTML that these pages use and treats everything else as a fault.
+// Checks accessibility rules that need no browser, with a small HTML parser. The parser is only for pages that the
+// program makes. It knows the HTML that these pages use and reports everything else as a fault.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// Tests the report of a session: easy words, an accessible page, and tables that read back unchanged.
+// Tests the report of a session. Its words must be easy, its page must be accessible, and its tables must read back
+// unchanged.
 #include "app/report/report_page.h"
 
 #include <gmock/gmock.h>
@@ -267,8 +268,8 @@ TEST(PageRules, detect_each_fault_that_is_planted_into_a_page) {
     EXPECT_THAT(broken("h1{", "@import url(x.css);h1{"), Contains("a request from the style"));
     EXPECT_THAT(broken("</ul>", ""), testing::Not(testing::IsEmpty()));
     EXPECT_THAT(broken("default-src 'none'", "default-src *"), Contains("no policy against requests"));
-    // This page has all faults at once, like the page for accessibility checkers in browsers. The rules must find at
-    // least six.
+    // This page has many faults at once, as has the page for accessibility checkers in browsers. The rules must find at
+    // least six of the faults.
     std::string worst = page;
     for (const auto& [what, by] :
          std::vector<std::pair<std::string, std::string>>{{" lang=\"en\"", ""},

@@ -140,7 +140,8 @@ TEST(TurnsMet, of_a_walk_along_the_route_are_all_counted_as_taken) {
     EXPECT_EQ(met.turns, 2);
     EXPECT_EQ(met.missed, 0);
     EXPECT_EQ(met.early, 0);
-    // The first walk cuts corners by half a metre. The second comparison uses a route without turns.
+    // The first walk cuts corners by half a metre, which must not count as missed turns. The second comparison uses a
+    // route without turns.
     EXPECT_EQ(
         turns_met(kRoute, walk_along({{0, 0, 0}, {0.2, 9.5, 0}, {0.5, 10, 0}, {7.5, 10, 0}, {8, 10.5, 0}, {8, 20, 0}}))
             .missed,
@@ -158,7 +159,7 @@ TEST(TurnsMet, count_as_missed_when_passed_and_as_early_when_taken_too_soon) {
         kRoute, walk_along({{0, 0, 0}, {0, 7, 0}, {1.5, 7, 0}, {0, 7, 0}, {0, 10, 0}, {8, 10, 0}, {8, 20, 0}}));
     EXPECT_EQ(early.early, 1);
     EXPECT_EQ(early.missed, 0);
-    // A turn to the wrong side does not count as early.
+    // A turn to the wrong side must not count as an early turn.
     const TurnsMet wrong = turns_met(
         kRoute, walk_along({{0, 0, 0}, {0, 7, 0}, {-1.5, 7, 0}, {0, 7, 0}, {0, 10, 0}, {8, 10, 0}, {8, 20, 0}}));
     EXPECT_EQ(wrong.early, 0);

@@ -48,7 +48,7 @@ void* operator new(std::size_t bytes) { return counted(bytes); }
 void* operator new[](std::size_t bytes) { return counted(bytes); }
 void* operator new(std::size_t bytes, const std::nothrow_t& tag) noexcept {
     return counted(bytes, tag);
-}  // std::stable_sort needs this operator for its buffer
+}  // std::stable_sort uses this operator for its buffer
 void* operator new[](std::size_t bytes, const std::nothrow_t& tag) noexcept { return counted(bytes, tag); }
 void operator delete(void* made) noexcept { given_back(made); }
 void operator delete[](void* made) noexcept { given_back(made); }
@@ -58,8 +58,8 @@ void operator delete[](void* made, std::size_t) noexcept { given_back(made); }
 namespace handrail {
 namespace {
 
-// Under a sanitizer, the office is small enough to process in seconds. There the fixed memory of a world matters more:
-// 238 bytes per place.
+// Under a sanitizer, the office is so small that the test takes only seconds. In such an office, a larger part of the
+// memory is fixed for each world, so the limit is higher: 238 bytes per place.
 constexpr bool kSmall = test::kSanitizerScale < 1.0;
 constexpr int kBrushes = kSmall ? 500 : 2'000;
 constexpr double kMost_bytes = kSmall ? 300.0 : 150.0;

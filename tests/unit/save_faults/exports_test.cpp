@@ -1,6 +1,6 @@
 // Tests exports with a disk that fails at any step. Each file must be either the old one or complete. The command must
-// write exactly the files that it reports. A learner's data must not leave without a note of it in the learner's
-// folder.
+// write exactly the files that it reports. Whenever it exports a learner's data, a note of the export must be in the
+// learner's folder.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

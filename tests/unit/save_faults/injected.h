@@ -6,7 +6,7 @@
 
 namespace handrail::test {
 
-// How a call for writing fails.
+// The kinds of failure of a call for writing.
 enum class WriteFault {
     None,
     Error,           // the call fails with `error`
@@ -21,7 +21,7 @@ public:
     ~BrokenDisk();
     BrokenDisk(const BrokenDisk&) = delete;
     BrokenDisk& operator=(const BrokenDisk&) = delete;
-    static bool struck();  // true if the failing call has happened
+    static bool struck();  // true if the call that fails has happened
     static long calls();   // number of calls since the last object was created
 };
 

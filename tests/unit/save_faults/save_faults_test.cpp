@@ -1,6 +1,6 @@
-// Tests saving and loading while the disk or the memory fails at any step. The result must be a message or
-// std::bad_alloc, and every file must be entirely old or entirely new. toml++ 3.3 ends the program if it has no memory
-// for its own error. A child process shows that the files are intact in that case, too.
+// Tests saving and loading while the disk or the memory fails at any step. Each attempt must succeed, return a message
+// or throw std::bad_alloc, and every file must be entirely old or entirely new. toml++ 3.3 ends the program if it has
+// no memory for its own error. A child process shows that the files are intact in that case, too.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -113,7 +113,7 @@ struct Home {
 // Returns the file's text after a successful save.
 std::string saved(const Kept& kept) {
     const Home home;
-    // Stored paths include the temporary folder. So the text has a fixed word in place of the folder.
+    // Stored paths include the temporary folder. So the function replaces the folder in the text by a fixed word.
     EXPECT_TRUE(kept.change(home.folder.path())()) << kept.name;
     std::string text = test::content_of(home.folder.path() / kept.file);
     for (std::size_t at; (at = text.find(home.folder.path().string())) != std::string::npos;)
@@ -331,7 +331,8 @@ bool begins_recording(const fs::path& folder) {
     return begun.has_value();
 }
 
-// Data that begins with its own folder. The folder must be complete or not exist.
+// Data of a kind that has a folder of its own. After a failure at the beginning, the folder must be complete or not
+// exist.
 struct Begun {
     const char* name;
     const char* folders;  // parent folder of the data's folders
@@ -370,7 +371,7 @@ TEST(SaveFaults, no_empty_folder_remains_after_a_failed_allocation) {
             const TemporaryFolder folder;
             const End end = in_child([&] { return one.begin(folder.path()); }, step, false, struck);
             ++ends[static_cast<int>(end)];
-            // A child process that died could not clean up.
+            // If the child process died, it could not remove the folder.
             if (end != End::Died) {
                 EXPECT_EQ(folders_in(folder.path() / one.folders).size(), end == End::Worked ? 1U : 0U)
                     << one.name << ", allocation " << step;
@@ -382,7 +383,7 @@ TEST(SaveFaults, no_empty_folder_remains_after_a_failed_allocation) {
     }
 }
 
-// If a consent was given or withdrawn, either the file contains the change or the caller gets an error.
+// After a consent was given or withdrawn, either the file contains the change or the caller gets an error.
 TEST(SaveFaults, a_changed_learner_file_is_the_old_or_the_new_one) {
     const TemporaryFolder folder;
     const Learners learners(folder.path());
@@ -412,7 +413,7 @@ TEST(SaveFaults, a_changed_learner_file_is_the_old_or_the_new_one) {
     }
 }
 
-// Data that is read and summarised as text. Every successful read must give the same text.
+// Data that is read and summarised as text. Every successful read must give the same text as a read without faults.
 struct Read {
     std::string name;
     std::function<std::string(const fs::path& folder)> read;

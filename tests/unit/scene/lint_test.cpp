@@ -67,7 +67,7 @@ TEST(Lint, accepts_five_materials_of_the_library) {
 }
 
 TEST(Lint, names_the_pair_of_materials_that_a_changed_stiffness_makes_alike) {
-    // The stiffness of rubber is 0.3, so 0.32 is within 10 % of it.
+    // The stiffness of rubber is 0.3. The wood's 0.32 is within 10 % of that.
     const LintReport report = lint_materials(read(panel(0, "concrete") + panel(1, "wood", key("stiffness", "0.32")) +
                                                   panel(2, "carpet") + panel(3, "rubber")));
     ASSERT_EQ(report.problems.size(), 1U);
@@ -75,7 +75,7 @@ TEST(Lint, names_the_pair_of_materials_that_a_changed_stiffness_makes_alike) {
               "Wood and rubber cannot be told apart by touch: stiffness 0.32 and 0.3, friction 0.45 and 0.6. Give "
               "rubber a stiffness of 0.24 or less, give rubber a "
               "friction of 0.68 or more, or give one of them a texture.");
-    // Following the advice must remove the warning.
+    // If the author follows the advice, the warning must disappear.
     EXPECT_TRUE(
         lint_materials(read(panel(1, "wood", key("stiffness", "0.32")) + panel(3, "rubber", key("stiffness", "0.24"))))
             .problems.empty());

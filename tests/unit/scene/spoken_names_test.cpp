@@ -1,5 +1,5 @@
-// The program stores names in English and announces them in the user's language. It announces a name that the map gives
-// unchanged.
+// Tests names, which the program stores in English and announces in the user's language. The program must announce a
+// name that the map gives unchanged.
 #include <filesystem>
 #include <set>
 

@@ -237,7 +237,7 @@ TEST(Surfaces, do_not_depend_on_the_order_of_brushes_and_faces) {
     std::mt19937 random(5);
     for (int round = 0; round < 20; ++round) {
         std::shuffle(brushes.begin(), brushes.end(), random);
-        for (std::string& brush : brushes) {  // rotates the order of each brush's faces by one
+        for (std::string& brush : brushes) {  // rotates the order of each brush's faces by one place
             const std::size_t first = brush.find('(', 0), second = brush.find('\n', first) + 1, end = brush.rfind('}');
             brush = "{\n" + brush.substr(second, end - second) + brush.substr(first, second - first) + "}\n";
         }

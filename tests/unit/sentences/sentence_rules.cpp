@@ -70,7 +70,7 @@ std::string repeated_word(const std::string& text) {
     return {};
 }
 
-// The patterns are compiled only once, because compiling takes longer than searching.
+// Compiles the patterns. Callers keep the result, because compiling takes longer than searching.
 template <std::size_t N>
 std::vector<std::pair<std::string, std::regex>> made(const std::array<Rule, N>& rules) {
     std::vector<std::pair<std::string, std::regex>> all;

@@ -1,5 +1,5 @@
-// Rules for everything that the program announces, whatever part of the program made it. They find faults that readers
-// overlook but that disturb listeners.
+// Checks everything that the program announces against rules, whatever part of the program made the text. The rules
+// find faults that readers overlook but that disturb listeners.
 #pragma once
 
 #include <string>

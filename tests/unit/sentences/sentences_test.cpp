@@ -66,7 +66,8 @@ public:
                 // The command may have begun something that continues, so the test waits only for a limited time.
                 for (int i = 0; i < 8 && !s_.app.idle(); ++i) s_.run(0.25);
                 look(std::string(row.word));
-                // The second request switches input help off; otherwise keys would be explained instead of carried out.
+                // The second request switches input help off. Otherwise input help would explain the following keys
+                // instead of carrying them out.
                 if (row.command == Command::InputHelp) s_.ask(row.command);
                 go_through_list(std::string(row.word), round);
                 s_.app.requests() = {};

@@ -1,6 +1,6 @@
-// Estimates how long each text of the languages takes to say at 180 words a minute, and compares it with a limit. A
-// word in passing must end before the walker's next step. An alarm must first say what is wrong. At the end of an
-// answer, a person must still remember its beginning.
+// Estimates how long each text of the languages takes to say at 180 words a minute, and compares the duration with a
+// limit. A word in passing must end before the walker's next step. An alarm must first say what is wrong. At the end of
+// an answer, a person must still remember its beginning.
 #include <espeak-ng/speak_lib.h>
 #include <gtest/gtest.h>
 
@@ -119,8 +119,8 @@ int syllables(const std::string& word, bool german) {
     return std::max(count, 1);
 }
 
-// Estimates the duration of a text: a mean duration for each syllable, plus pauses. Both were measured with the voice;
-// the last test checks them.
+// Estimates the duration of a text: a mean duration for each syllable, plus pauses. The constants were measured with
+// the built-in voice; the last test compares the estimate with that voice.
 double spoken_s(const std::string& text, const std::string& language) {
     const bool german = language == "de";
     const double syllable_s = german ? 0.195 : 0.21;
@@ -266,8 +266,8 @@ int count_samples(short*, int count, espeak_EVENT*) {
     return 0;
 }
 
-// The estimate must be right on average, though not for each text. espeak-ng speaks an eighth of the texts for
-// comparison.
+// The estimate must match the real duration on average, though not for each text. espeak-ng speaks an eighth of the
+// texts for the comparison.
 TEST(SpokenLength, matches_the_duration_of_the_built_in_voice) {
     const int rate = espeak_Initialize(AUDIO_OUTPUT_SYNCHRONOUS, 0, nullptr, espeakINITIALIZE_DONT_EXIT);
     if (rate <= 0) GTEST_SKIP() << "espeak-ng has no voices here";

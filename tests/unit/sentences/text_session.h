@@ -15,13 +15,14 @@ namespace handrail::test {
 
 class TextSession {
 public:
-    // If `first_start` is true, the session leads the person through the first minutes before it greets with the world.
+    // If `first_start` is true, the session leads the person through the first minutes before it greets the person with
+    // the world.
     explicit TextSession(std::shared_ptr<const Scene> world, bool first_start = false);
     ~TextSession();
     TextSession(const TextSession&) = delete;
     TextSession& operator=(const TextSession&) = delete;
 
-    // Types a line. Returns the announcements until the session is quiet. A word that is no command gets the answer
+    // Types a line. Returns the announcements until the session is quiet. If the line is no command, returns the answer
     // that the terminal would give. greeting() returns the announcements before the first line.
     std::vector<std::string> type(const std::string& line);
     const std::vector<std::string>& greeting() const { return greeting_; }

@@ -1,5 +1,5 @@
-// The app moves bodies sixty times a second. The servo must play their movement so smoothly that the hand feels it a
-// thousand times a second.
+// Tests the playback of moving bodies. The app moves bodies sixty times a second. The servo must play their movement so
+// smoothly that a hand, which the servo renders a thousand times a second, feels no steps.
 #include "haptic/servo/body_playback.h"
 
 #include "tests/support/names.h"

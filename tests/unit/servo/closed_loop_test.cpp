@@ -23,7 +23,8 @@ struct ClosedLoop {
         EXPECT_TRUE(loop.open());
         tuning.touch.world_m_per_hand_m = scale;
         tuning.touch.radius_m = 0.002 * scale;
-        tuning.touch.rated_stiffness_n_per_m = 1e9;  // no limit here: walls are as stiff as the device can render
+        // So high that it limits nothing here: walls are as stiff as the device can render.
+        tuning.touch.rated_stiffness_n_per_m = 1e9;
         tuning.touch.default_stiffness_fraction = 0.75;
         tuning.touch.damping_ns_per_m = 5.0;
         tuning.force_ceiling_n = 100.0;
@@ -55,7 +56,8 @@ TEST(ClosedLoop, pressing_3_mm_into_plaster_on_the_simulated_touch_gives_0_9_new
     double peak = 0.0;
     for (int i = 0; i < 1300; ++i) peak = std::max(peak, -bench.tick().force_n.y);
     EXPECT_NEAR(-bench.loop.tool().force_n.y, 0.9, 1e-9);
-    EXPECT_LE(peak, 0.9 * 1.2 + 0.5);  // the second part is the damping of 5 Ns/m at 0.1 m/s while the hand still moves
+    // The second part is the damping of 5 Ns/m at 0.1 m/s, because the hand still moves.
+    EXPECT_LE(peak, 0.9 * 1.2 + 0.5);
     bench.hand->command.publish({HandMode::Move, Vec3(0, 0.015, 0), 0.1, Vec3(0.0), 0});
     double left_s = -1.0;
     for (int i = 0; i < 200; ++i) {

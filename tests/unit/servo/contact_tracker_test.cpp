@@ -122,7 +122,8 @@ TEST(ContactTracker, treats_yielding_surfaces_like_rigid_ones) {
     EXPECT_EQ(bench.count(ContactEventKind::Begin, kFloor), 1);
     EXPECT_NEAR(bench.seen.at(0).force_n, 0.2, 1e-12);
     EXPECT_NEAR(bench.seen.at(0).speed_m_per_s, 0.1, 1e-12);
-    // The hand presses down to the hard floor under the soft one, but that is the same feature.
+    // The hand now also presses on the hard floor under the soft one. Both are the same feature, so no second contact
+    // may begin.
     TouchResult through = touching({kFloor});
     through.soft = soft.soft;
     through.soft_force_n = soft.soft_force_n;

@@ -27,7 +27,7 @@ TEST(ForceLimiter, turns_nan_into_zero_force_and_reports_a_fault) {
             force[axis] = bad;
             EXPECT_EQ(limiter.limit(force, 2.5, ForceFlow::Run, kTick), Vec3(0.0));
             EXPECT_TRUE(limiter.broken());
-            // After the fault, the force must come back only with the ramp.
+            // After the fault, the limiter must ramp the force up from zero.
             EXPECT_NEAR(glm::length(limiter.limit(Vec3(1, 0, 0), 2.5, ForceFlow::Run, kTick)), 1e-3, 1e-12);
             EXPECT_FALSE(limiter.broken());
         }
@@ -73,7 +73,7 @@ TEST(ForceLimiter, ramps_in_over_one_second_and_never_early) {
         ASSERT_GE(force, last);
         last = force;
     }
-    // With longer ticks, the ramp must take the same time in seconds.
+    // With longer ticks, the ramp must last the same number of seconds.
     limiter.restart();
     EXPECT_NEAR(glm::length(limiter.limit(Vec3(0, 2, 0), 2.5, ForceFlow::Run, 0.01)), 0.02, 1e-12);
 }
@@ -106,7 +106,7 @@ TEST(ForceLimiter, resumes_after_a_gap_from_the_held_force_and_never_adds) {
     ForceLimiter limiter = ramped_in();
     EXPECT_EQ(limiter.limit(Vec3(0.5, 0, 0), 2.5, ForceFlow::Run, kTick).x, 0.5);
     limiter.resume_after_gap();
-    // The hand pressed deeper during the gap. The renderer now requests 2 N, while the limiter held 0.5 N.
+    // The hand pressed deeper during the gap. The renderer now requests 2 N, but the limiter has held 0.5 N.
     EXPECT_NEAR(limiter.limit(Vec3(2, 0, 0), 2.5, ForceFlow::Run, 0.02).x, 0.5, 1e-12);
     double offset = 1.5;
     for (int i = 0; i < 400; ++i) {
@@ -115,7 +115,7 @@ TEST(ForceLimiter, resumes_after_a_gap_from_the_held_force_and_never_adds) {
         ASSERT_LT(2.0 - force, offset);
         offset = 2.0 - force;
         if (i == 79) {
-            EXPECT_NEAR(offset, 1.5 * std::exp(-1.0), 0.02);  // after one time constant of 80 ms
+            EXPECT_NEAR(offset, 1.5 * std::exp(-1.0), 0.02);  // the excess has decayed for one time constant of 80 ms
         }
     }
     // If the renderer requests less than the held force, the limiter must pass it unchanged, because holding more would

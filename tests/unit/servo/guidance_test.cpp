@@ -28,7 +28,7 @@ struct Led {
     explicit Led(const GuidancePath& p = {}) : path(p) {}
     Guidance guidance;
     GuidancePath path;
-    Vec3 hand_m{0.0};  // hand place at scale 1
+    Vec3 hand_m{0.0};  // position of the hand at scale 1
     Vec3 force_n{0.0};
     bool allowed = true;
     void tick() { force_n = guidance.tick(path, hand_m, 1.0, kPeak_n, allowed, kTick_s); }
@@ -47,8 +47,8 @@ TEST(Guidance, ramps_in_from_zero_over_half_a_second) {
         ASSERT_LE(glm::length(led.force_n), kMost_n * i * kTick_s / Guidance::kRamp_s + 1e-12) << i;
     }
     led.run(0.1);
-    // The spring of 300 N/m pulls a resting hand over the lead of 2.5 mm. A resting hand must not count as one that
-    // resists.
+    // The spring of 300 N/m pulls a resting hand with the lead of 2.5 mm. Guidance must not treat a resting hand as one
+    // that resists.
     EXPECT_NEAR(led.force_n.x, 0.75, 0.02);
     led.run(5.0);
     EXPECT_EQ(led.phase(), GuidancePhase::Acts);
@@ -86,7 +86,7 @@ TEST(Guidance, releases_a_hand_that_resists_with_more_than_12_n_for_03_s_and_no_
     gone.run(5.0);
     EXPECT_EQ(gone.phase(), GuidancePhase::LetGo) << "only another number begins again";
     EXPECT_EQ(held_at(0.0038, 5.0).phase(), GuidancePhase::Acts);
-    // Several short resistances must not add up to a long one.
+    // Several short resistances must not add up to a long resistance.
     Led led = held_at(0.0045, 0.2);
     led.hand_m.x += 0.002;
     led.run(0.05);
@@ -159,7 +159,7 @@ TEST(Guidance, follows_a_path_with_corners) {
     led.path.number = 1;
     for (const Vec3& p : {Vec3(0.02, 0, 0), Vec3(0.02, 0.03, 0), Vec3(0.02, 0.03, 0), Vec3(-0.01, 0.03, 0.02)})
         led.path.points_m[led.path.count++] = p;
-    // The simulated hand has no mass and much damping, so it moves exactly where the force pulls it.
+    // The simulated hand has no mass and much damping, so it moves exactly in the direction of the force.
     double farthest_m = 0.0;
     int ticks = 0;
     for (; ticks < 10000 && led.phase() != GuidancePhase::Arrived; ++ticks) {
@@ -179,7 +179,7 @@ TEST(Guidance, follows_a_path_with_corners) {
     }
     EXPECT_EQ(led.phase(), GuidancePhase::Arrived);
     EXPECT_LT(farthest_m, 0.0025);
-    EXPECT_LT(ticks, 4000);  // the path of 91 mm at 40 mm/s takes a little less
+    EXPECT_LT(ticks, 4000);  // the path is 91 mm long, so at 40 mm/s it takes a little less than 4,000 ticks
 }
 
 TEST(CrossLines, equal_the_slope_of_a_potential_and_never_exceed_their_limits) {
@@ -203,8 +203,8 @@ TEST(CrossLines, equal_the_slope_of_a_potential_and_never_exceed_their_limits) {
             else EXPECT_LE(f[axis] * p[axis], 0.0) << "towards the line";
         }
     }
-    // On a closed loop, the lines must give no energy. The test adds up force times distance around a random polygon in
-    // fine steps.
+    // On a closed loop, the lines must give the hand no energy. The test adds up force times distance around a random
+    // polygon in fine steps.
     for (int loop = 0; loop < 20; ++loop) {
         std::vector<Vec3> corners;
         for (int i = 0; i < 5; ++i) corners.emplace_back(place(random), place(random), place(random));

@@ -10,8 +10,8 @@
 namespace handrail {
 namespace rate_watch_test {
 
-// Returns the time in seconds until the watch reports constant periods of `period_s` as too slow; -1 if it does not
-// within a second.
+// Returns the time in seconds until the watch reports constant periods of `period_s` as too slow; -1 if it reports
+// nothing within a second.
 double time_to_notice(double period_s, double min_rate_hz) {
     RateWatch watch;
     for (double t = period_s; t < 1.0; t += period_s)

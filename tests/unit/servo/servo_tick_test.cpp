@@ -17,7 +17,7 @@ using test::ServoRig;
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// Hand place that presses 2 mm into the wall of 800 N/m, which gives 1.6 N.
+// Position of the hand at which it presses 2 mm into the wall of 800 N/m, which gives 1.6 N.
 const Vec3 kPressed(0.0, ServoRig::kWallY - 0.005 + 0.002, 0.0);
 constexpr double kPressN = 1.6;
 
@@ -101,7 +101,8 @@ TEST(ServoTick, a_tool_position_that_jumps_and_stays_is_a_jump_fault) {
     const Vec3 elsewhere = kPressed + Vec3(0.05, 0, 0);
     for (int i = 0; i < 100; ++i) ASSERT_EQ(rig.tick(elsewhere).force_n, Vec3(0.0));
     EXPECT_EQ(rig.tool().fault, Fault::Jump);
-    EXPECT_EQ(rig.state.counters().bad_samples, 3u);  // after 3 bad samples, the servo compares with the new place
+    // After 3 bad samples, the servo accepts the new place as the place to compare with.
+    EXPECT_EQ(rig.state.counters().bad_samples, 3u);
 }
 
 TEST(ServoTick, a_fast_hand_does_not_count_as_a_jump) {
@@ -115,8 +116,8 @@ TEST(ServoTick, holds_the_force_while_the_device_is_silent_and_resumes_without_a
     ServoRig rig;
     rig.press(kPressed);
     for (int i = 0; i < 20; ++i) ASSERT_NEAR(rig.silent_tick().force_n.y, -kPressN, 1e-9);
-    // Meanwhile the hand has moved 1 mm deeper, which requests 0.8 N more. The additional force must come in with a
-    // time constant of 80 ms.
+    // While the device was silent, the hand has moved 1 mm deeper, so the renderer requests 0.8 N more. The additional
+    // force must come in with a time constant of 80 ms.
     const Vec3 deeper = kPressed + Vec3(0, 0.001, 0);
     EXPECT_NEAR(rig.tick(deeper).force_n.y, -kPressN, 1e-6);
     double last = -kPressN;
@@ -257,10 +258,11 @@ TEST(ServoTick, unplugging_gives_zero_on_that_tick_and_the_force_returns_only_by
     EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 1);
     EXPECT_EQ(rig.count(ContactEventKind::End), 1);
     EXPECT_EQ(rig.tool().proxy_m, proxy);
-    ++rig.tuning.confirm;  // must have no effect, because the device is still disconnected
+    ++rig.tuning.confirm;  // this must have no effect, because the device is still disconnected
     for (int i = 0; i < 100; ++i) ASSERT_EQ(rig.unplugged_tick().force_n, Vec3(0.0));
     EXPECT_EQ(rig.tool().fault, Fault::Unplugged);
-    // The device is connected again, with the hand at any place. The hand must feel nothing, not even after moving.
+    // The device is connected again, with the hand at any place. Until somebody confirms, the hand must feel nothing,
+    // not even when it moves.
     for (int i = 0; i < 500; ++i) ASSERT_EQ(rig.tick(Vec3(0.05, 0.0001 * (i % 100), 0)).force_n, Vec3(0.0));
     ++rig.tuning.confirm;
     rig.tick(Vec3(0.05, 0, 0));
@@ -297,7 +299,7 @@ TEST(ServoTick, motors_that_report_heat_lose_their_force_within_100_ms_and_need_
     EXPECT_EQ(rig.tool().fault, Fault::TooHot);
     EXPECT_TRUE(rig.tool().fault_latched && rig.tool().fault_lasts);
     EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 1);
-    ++rig.tuning.confirm;  // must have no effect, because the motors are still hot
+    ++rig.tuning.confirm;  // this must have no effect, because the motors are still hot
     for (int i = 0; i < 50; ++i) ASSERT_EQ(rig.tick(kPressed).force_n, Vec3(0.0));
     rig.sample.hot = false;
     for (int i = 0; i < 50; ++i) ASSERT_EQ(rig.tick(kPressed).force_n, Vec3(0.0)) << "cool, and not confirmed";
@@ -362,7 +364,7 @@ TEST(ServoTick, in_dead_man_mode_force_needs_a_held_button_and_ends_100_ms_after
     rig.press(kPressed);
     EXPECT_EQ(rig.last.force_n, Vec3(0.0));
     EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 0) << "nothing was taken away yet";
-    rig.sample.buttons = 2;  // any button counts
+    rig.sample.buttons = 2;  // pressing any button is enough
     for (int i = 0; i < 1000; ++i) rig.tick(kPressed);
     EXPECT_NEAR(rig.last.force_n.y, -kPressN, 1e-6);
     rig.sample.buttons = 0;
@@ -414,7 +416,7 @@ TEST(ServoTick, switching_forces_off_fades_over_75_ms_and_on_ramps_over_a_second
     for (int i = 1; i <= 74; ++i) ASSERT_NEAR(rig.tick(kPressed).force_n.y, -kPressN * (1.0 - i / 75.0), 1e-9);
     rig.tick(kPressed);
     EXPECT_NEAR(rig.tick(kPressed).force_n.y, 0.0, 1e-12);
-    // The servo must still report the contact with the wall, so that it is heard.
+    // The servo must still report the contact with the wall, so that the sounds can announce it.
     EXPECT_EQ(rig.tool().contacts.count, 1);
     rig.tuning.forces_on = true;
     for (int i = 1; i <= 1000; ++i) ASSERT_NEAR(rig.tick(kPressed).force_n.y, -kPressN * std::min(1.0, i * 1e-3), 1e-6);

@@ -50,7 +50,8 @@ TEST(Walking, a_frame_that_drifts_into_a_wall_is_felt_in_steps_of_at_most_25_mn)
             largest = std::max(largest, std::abs(force - last));
             last = force;
         }
-        EXPECT_GT(last, 20.0) << heading_deg;  // the hand is 20 mm deeper, with a delay of about one report
+        // By the end, the hand is 20 mm deeper, less the delay of about one report.
+        EXPECT_GT(last, 20.0) << heading_deg;
         EXPECT_LE(largest, 0.025) << heading_deg;
     }
 }

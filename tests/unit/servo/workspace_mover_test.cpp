@@ -101,8 +101,8 @@ TEST(WorkspaceMover, never_exceeds_its_limits_and_reports_reaching_them) {
     for (int i = 0; i < 3000; ++i) rig.tick({0.99 * kReach, 0.0, 0.0});
     EXPECT_EQ(rig.tool().workspace_shift_m.x, 0.05);
     EXPECT_TRUE(rig.tool().workspace_at_limit);
-    // If the walker is outside the bounds, the workspace must stay there. The hand must not move it farther out, but
-    // may move it back in.
+    // If the walker is outside the bounds, the workspace must stay at the walker. The hand must not move the workspace
+    // farther out, but may move it back in.
     rig.pose.origin_m = Vec3(1.0, 0.0, 0.0);
     ++rig.pose.jump;
     rig.go({0.0, 0.0, 0.0});
@@ -125,7 +125,7 @@ TEST(WorkspaceMover, a_grabbed_world_moves_exactly_with_the_hand) {
     EXPECT_EQ(rig.count(ContactEventKind::Grabbed), 1);
     EXPECT_EQ(rig.last.force_n, Vec3(0.0));
     rig.sample.buttons = 0;
-    rig.go({0.01, 0.02, 0.0});  // when the button is released, the hand moves without the world
+    rig.go({0.01, 0.02, 0.0});  // after the button is released, the hand moves without the world
     EXPECT_EQ(rig.count(ContactEventKind::LetGo), 1);
     EXPECT_NEAR(glm::length(rig.tool().hip_m - place - Vec3(0.04, 0.04, -0.01)), 0.0, 1e-12);
 }

@@ -1,4 +1,5 @@
-// This test is a separate program, because it replaces malloc and the locks of the whole program to count their calls.
+// Tests that the servo thread neither allocates nor locks. This test is a separate program, because it replaces malloc
+// and the locks of the whole program to count their calls.
 #include <dlfcn.h>
 #include <pthread.h>
 #include <semaphore.h>
@@ -19,7 +20,7 @@
 
 namespace {
 
-// The replacements count only on the thread that has set `counting`, and only while it is set.
+// The replacements count calls only on a thread that has set `counting`, and only while it is set.
 thread_local bool counting = false;
 thread_local int allocations = 0, locks = 0, clocks = 0;
 

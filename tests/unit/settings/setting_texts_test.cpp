@@ -1,4 +1,4 @@
-// Every setting must have texts in every language. No texts may remain for settings that no longer exist.
+// Tests that every setting has texts in every language. No texts may remain for settings that no longer exist.
 #include <gmock/gmock.h>
 
 #include <set>

@@ -196,7 +196,7 @@ TEST(Settings, store_overrides_by_device_name_and_keys_by_command) {
     EXPECT_FALSE(store.set("workspace.device.falcon.scale", "5000", SettingSource::Live));
 }
 
-// Formerly such a command got no key at all, and no message said so.
+// Formerly the command of such a setting got no key at all, and no message reported that.
 TEST(Settings, refuse_key_names_that_nobody_can_press_and_report_their_line) {
     const TemporaryFolder folder;
     SettingsStore store({"where", "home", "look", "use", "again", "quit"});
@@ -246,7 +246,8 @@ TEST(Profiles, are_saved_by_device_and_serial_number_with_their_origin) {
         << "what is not understood is kept";
 }
 
-// If a labyrinth fixes its scale, that scale must apply to every device, including devices with a scale of their own.
+// If a labyrinth fixes its scale, the labyrinth's scale must apply to every device, including devices for which the
+// settings state another scale.
 TEST(SettingsStore, lets_a_world_override_devices_with_individual_values) {
     const test::TemporaryFolder folder;
     SettingsStore store;
@@ -417,8 +418,8 @@ TEST(LoadSettings, survives_files_cut_at_every_byte_or_with_every_byte_replaced)
         }
 }
 
-// Makes any legal changes during a session and saves them over any earlier file of the same kind. They must read back
-// exactly.
+// Makes any legal changes during a session and saves the settings over any earlier settings file. The settings must
+// read back exactly.
 RC_GTEST_PROP(SaveSettings, reads_back_what_it_saved, ()) {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "settings.toml";

@@ -1,5 +1,5 @@
-// Tests TOML files as plain values. The values must equal those that toml++ reads, and must read back unchanged after
-// writing.
+// Tests TOML files as plain values. The values must equal those that toml++ reads. After writing, they must read back
+// unchanged.
 #include "settings/toml_value.h"
 #include "tests/support/names.h"
 

@@ -45,7 +45,7 @@ std::vector<std::string> texts(const std::vector<SpokenLine>& lines) {
     return all;
 }
 
-// The loop of the audio thread in virtual time. The test steps it.
+// The loop of the audio thread in virtual time. The test steps the loop.
 struct Ears {
     explicit Ears(double words_per_minute = 0.0) {
         auto a = std::make_unique<RecordingAudio>();

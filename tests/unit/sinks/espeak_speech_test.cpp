@@ -13,14 +13,14 @@
 namespace handrail {
 namespace espeak_speech_test {
 
-// Replaces the sound sink: takes the samples and treats them as played immediately.
+// Replaces the sound sink: fetches the samples and treats them as played immediately.
 struct Listening {
     std::vector<std::int16_t> samples;
     int rate_hz = 0;
     double length_s() const { return rate_hz > 0 ? static_cast<double>(samples.size()) / rate_hz : 0.0; }
 };
 
-// Takes the samples until the real synthesis thread has ended the text.
+// Fetches the samples until the real synthesis thread has ended the text.
 Listening listen_to_the_end(VoiceChannel& channel) {
     Listening heard;
     EXPECT_TRUE(test::eventually([&] {

@@ -20,8 +20,8 @@ namespace openal_sink_test {
 constexpr int kPeriod = 256;
 constexpr double kPeriod_s = static_cast<double>(kPeriod) / kSampleRate_hz;
 
-// This must happen before the first use of OpenAL, which reads its configuration once per process. The null back end is
-// a playback device that needs no sound card.
+// The driver must be set before the first use of OpenAL, which reads its configuration once per process. The null back
+// end is a playback device that needs no sound card.
 const int null_back_end = ::setenv("ALSOFT_DRIVERS", "null", 1);
 
 // The sink on a loopback device. The tests tick and render it period by period in virtual time. Keeps everything that
@@ -63,8 +63,8 @@ protected:
         for (const float s : x) e += static_cast<double>(s) * static_cast<double>(s);
         return std::sqrt(e / static_cast<double>(std::max<std::size_t>(1, x.size())));
     }
-    // Returns by how many seconds the right ear hears the sound before the left one; negative if later. Uses the
-    // cross-correlation.
+    // Returns by how many seconds the right ear hears the sound before the left ear; negative if the right ear hears it
+    // later. Uses the cross-correlation.
     double right_leads_s() const {
         const int reach = kSampleRate_hz / 1000;
         const int n = static_cast<int>(left.size());
@@ -223,7 +223,7 @@ TEST_F(OpenALSinkTest, stop_all_fades_without_a_click_and_is_silent_within_25_ms
 }
 
 TEST_F(OpenALSinkTest, an_abrupt_stop_would_click) {
-    // Shows that the previous test can fail: the same sound has far more curvature if it is cut between two samples.
+    // The same sound has far more curvature if it is cut between two samples. So the check above can fail.
     sink->set_loop(cue(SoundKind::WallTone, {0.5, 1.0, 0.0}));
     std::vector<float> x = listen(0.1);
     float most = 0.0F, cut = 0.0F;
@@ -352,7 +352,8 @@ TEST_F(OpenALSinkTest, world_sounds_that_are_left_fade_and_make_room_for_others)
     EXPECT_LT(rms(listen(0.1)), 1e-6);
 }
 
-// A low-pass filter at `edge_hz` with twelve decibels an octave. It is the same for both ears.
+// Returns the samples after a low-pass filter at `edge_hz` with twelve decibels an octave. The filter is the same for
+// both ears.
 std::vector<double> low_passed(std::span<const float> x, double edge_hz) {
     const double a = 1.0 - std::exp(-2.0 * kPi * edge_hz / kSampleRate_hz);
     std::vector<double> y(x.size());
@@ -485,7 +486,9 @@ float largest_step(std::span<const float> x) {
 
 TEST_F(OpenALSinkTest, cutting_any_sound_short_makes_no_step_above_a_hundredth_of_full_scale) {
     constexpr float kNoClick =
-        0.002F;  // more than the largest step within the sounds; cutting a sound at a sample gives up to 0.15 here
+        // More than the largest step within the sounds; a sound that is cut between two samples gives a step of up to
+        // 0.15.
+        0.002F;
     const auto quiet_after = [&](const char* what, auto begin, auto cut) {
         for (int phase = 0; phase < 7; ++phase) {
             begin();
@@ -754,7 +757,7 @@ TEST(OpenALSinkDevice, is_requested_again_every_5_s_if_it_does_not_return) {
     ASSERT_TRUE(sink.has_device());
     sink.tick(1.0);
     plugged = false;
-    sink.tick(2.0);  // the sink loses the device and opens the same one again, which still reports that it is lost
+    sink.tick(2.0);  // the sink loses the device and opens the same device again, which still reports that it is lost
     for (double now_s = 2.0; now_s < 30.0; now_s += 0.25) sink.tick(now_s);
     EXPECT_TRUE(sink.news());
     plugged = true;

@@ -1,5 +1,5 @@
-// Tests a speech server that knows the protocol but refuses single commands. A server without a voice for a language
-// behaves like this.
+// Tests a speech server that knows the protocol but refuses single commands, as a server without a voice for a language
+// does.
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/socket.h>

@@ -27,7 +27,7 @@ struct Pipe {
         if (ends[0] >= 0) ::close(ends[0]);
         ends[0] = -1;
     }
-    // Returns what is in the pipe, without waiting for more.
+    // Returns the bytes that are in the pipe, without waiting for more.
     std::string read() const {
         ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
         std::string text;
@@ -91,7 +91,7 @@ TEST(TextSpeech, never_waits_for_a_slow_reader_and_delivers_the_rest_later) {
         speech.tick(0.0);
         all += pipe.read();
     }
-    EXPECT_EQ(all.size(), kLines * (word.size() + 6));  // each line has "say: " and a line end in addition
+    EXPECT_EQ(all.size(), kLines * (word.size() + 6));  // each line also has "say: " and a line end, which are 6 bytes
 }
 
 TEST(TextSpeech, keeps_a_limited_backlog_of_whole_lines) {
@@ -108,7 +108,8 @@ TEST(TextSpeech, keeps_a_limited_backlog_of_whole_lines) {
     }
     all += pipe.read();
     EXPECT_LT(all.size(), 200'000U);
-    EXPECT_EQ(all.size() % 1006, 16U);  // some whole lines, followed by "say: still here"
+    // What arrived is some whole lines of 1006 bytes, followed by the 16 bytes of "say: still here".
+    EXPECT_EQ(all.size() % 1006, 16U);
     EXPECT_TRUE(all.ends_with("x\nsay: still here\n"));
 }
 

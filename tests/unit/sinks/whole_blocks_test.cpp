@@ -23,7 +23,7 @@ TEST(WholeBlocks, delivers_every_frame_once_in_order_and_requests_only_multiples
     for (int i = 0; i < 2000; ++i) {
         const int frames = std::uniform_int_distribution(0, i % 10 == 0 ? 3000 : 200)(random);
         std::vector<float> stereo(2 * static_cast<std::size_t>(frames) + 2,
-                                  -1.0F);  // one more frame, which must stay unchanged
+                                  -1.0F);  // one more frame than requested, which must stay unchanged
         blocks.take(stereo.data(), frames, [&](float* to, int count) {
             ASSERT_GT(count, 0);
             ASSERT_EQ(count % 64, 0);

@@ -60,7 +60,7 @@ TEST(StoredScene, shares_everything_that_was_shared_before) {
     Scene scene = *house;
     const auto model = std::make_shared<const Scene>(*house);
     for (int i = 0; i < 2; ++i) scene.placed.push_back({{0}, model, kDefaultMaterial, {{i, 0, 0}, {}, 1.0}});
-    // Two materials that share a picture, and a soft face, because no bundled world has them.
+    // Adds two materials that share a picture, and a soft face, because no bundled world has them.
     const auto picture = std::make_shared<const HeightPicture>(HeightPicture{2, 1, {0.25F, 0.75F}});
     for (const double depth_m : {0.001, 0.002}) {
         Material material;

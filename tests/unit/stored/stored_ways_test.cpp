@@ -86,8 +86,8 @@ TEST(StoredWays, have_a_key_that_is_equal_only_for_the_same_scene_and_body) {
     const std::string key = ways_key(world.scene, world.body);
     EXPECT_EQ(key.size(), 64U);
     EXPECT_EQ(ways_key(Scene(world.scene), world.body), key);
-    // The key must change if the scene has one more door or a different name. It must not depend on warnings from
-    // reading the file.
+    // The key of the stored file must change if the scene has one more door or a different name. The key must not
+    // depend on warnings from reading the file.
     Scene other = with_made_doors(world.scene, std::vector{MadeDoor{{4.0, 3.0, 0.0}, 0.5 * kPi, 0.9, 0.3, "between"}});
     EXPECT_NE(ways_key(other, world.body), key);
     other = world.scene;
@@ -122,7 +122,8 @@ TEST(StoredWays, are_named_in_the_currently_spoken_language) {
     EXPECT_NE(meant.rooms[0].name, world.graph.rooms[0].name);
 }
 
-// The digest of the cache detects changes (see unit_cache). The reader of stored routes must detect truncation itself.
+// The cache detects changes by its digest, which unit_cache tests. Truncation must be detected even without the digest,
+// by the reader of stored routes itself.
 TEST(StoredWays, cut_anywhere_are_rejected) {
     const World world("tests/unit/ifc/worlds/small_house.ifc");
     const std::string whole = world.bytes(), plain = unpacked_ways(whole);

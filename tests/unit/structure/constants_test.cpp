@@ -1,5 +1,5 @@
-// In each folder, the name of a constant may stand for only one number. For measures of people, this applies to the
-// whole program.
+// Tests that in each folder, the name of a constant stands for only one number. For measures of people, the name must
+// stand for only one number in the whole program.
 #include <map>
 #include <regex>
 #include <set>
