@@ -1,5 +1,6 @@
-// report_pages FOLDER: writes reports of sessions, so that accessibility checkers in browsers can examine the pages.
-// It writes these reports:
+// Writes reports of sessions into a folder, so that accessibility checkers in browsers can examine the pages. Usage:
+// report_pages FOLDER
+// The program writes these reports:
 // - a session with everything, in English and in German
 // - a session without a hand and a plan
 // - an empty session

@@ -1,5 +1,5 @@
-// Makes a world with movable bodies in code. A simulated hand pushes and lifts them. Described in
-// docs/developer/examples.md.
+// Makes a world with movable bodies in code. A simulated hand pushes and lifts them. docs/developer/examples.md
+// describes this example.
 #include <algorithm>
 
 #include "haptic/dynamics/dynamics.h"
@@ -47,7 +47,7 @@ double push_east(const CrateWorld& world, Dynamics& engine) {
     feel.world_m_per_hand_m = tuning.world_m_per_hand_m;
     feel.ball_m = tuning.radius_m;
 
-    BodiesInReach bodies(0);  // this is hand 0 of two
+    BodiesInReach bodies(0);  // the index of this hand; a world has up to two
     bodies.enter(world.moves.get());
     HandPushRing pushes;
     std::vector<BodyPose> poses{{world.felt->bodies[0].start, true}};
@@ -79,9 +79,9 @@ TEST(Example, a_crate_made_in_code_is_pushed_by_a_simulated_hand) {
     ASSERT_TRUE(world.moves);
     Dynamics engine(world.moves);
     const double felt_n = push_east(world, engine);
-    // Friction under the crate's weight, divided by the world scale of 20.
+    // The force is the friction under the crate's weight, divided by the world scale of 20.
     EXPECT_NEAR(felt_n, 0.4 * 1.0 * 9.81 / 20.0, 0.06);
-    // The distance over which the proxy pushed the crate.
+    // The second number is the distance by which the proxy pushed the crate.
     EXPECT_NEAR(engine.middle(0).position_m.x, -0.25 + 0.4 + 0.24, 0.02);
     EXPECT_NEAR(engine.middle(0).position_m.z, 0.2, 1e-3);
 }

@@ -1,4 +1,5 @@
-// A custom force law that the servo thread computes on each tick. Described in docs/developer/examples.md.
+// Defines a custom force law that the servo thread computes on each tick. docs/developer/examples.md describes this
+// example.
 #include "haptic/render/haptic_scene.h"
 #include "haptic/render/touch.h"
 

@@ -1,5 +1,5 @@
-// A new feature of the session: a class that uses the session's context. The test needs no full session. Described in
-// docs/developer/examples.md.
+// Defines a new feature of the session: a class that uses the session's context. The test needs no full session.
+// docs/developer/examples.md describes this example.
 #include <gmock/gmock.h>
 
 #include "app/core/context/session_part.h"
@@ -11,7 +11,7 @@ namespace handrail {
 namespace new_feature_test {
 
 // Counts the walker's steps. A feature owns its state and accesses the session through the context. It can be neither
-// copied nor moved, because open lists may hold its address. App thread only.
+// copied nor moved, because open lists may hold its address. Only the app thread uses it.
 class StepCount : SessionPart {
 public:
     explicit StepCount(const SessionContext& context) : SessionPart(context) {}
@@ -20,8 +20,8 @@ public:
         walked_m_ = 0.0;
         was_m_ = context_.body.feet_m();
     }
-    // The session calls this once a tick. If the walker moved farther than a step, it did not walk: something placed it
-    // there.
+    // The session calls this once a tick. If the walker is farther away than a step, the walker did not walk: something
+    // placed it there.
     void tick() {
         const Vec3 off = context_.body.feet_m() - was_m_;
         const double moved_m = std::hypot(off.x, off.y);

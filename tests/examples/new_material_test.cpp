@@ -1,4 +1,4 @@
-// A material made in code. Described in docs/developer/examples.md.
+// Makes a material in code. docs/developer/examples.md describes this example.
 #include "haptic/render/haptic_scene.h"
 #include "haptic/render/touch.h"
 

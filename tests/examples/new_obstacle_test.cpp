@@ -1,4 +1,4 @@
-// A custom solid with exact contact. Described in docs/developer/examples.md.
+// Defines a custom solid with exact contact. docs/developer/examples.md describes this example.
 #include <random>
 
 #include "haptic/render/haptic_scene.h"
@@ -8,9 +8,9 @@ namespace handrail {
 namespace new_obstacle_test {
 using namespace render;
 
-// The knob at the end of a handrail: an ellipsoid with the half axes `half_m`. The servo thread calls it, so it must
-// not allocate, lock or throw. It uses only + - * / and the square root, so that every machine computes the same
-// numbers.
+// The knob at the end of a handrail: an ellipsoid with the half axes `half_m`. The servo thread calls
+// nearest_on_knob(), so that function must not allocate, lock or throw. It uses only + - * / and the square root, so
+// that every machine computes the same numbers.
 struct Knob {
     Vec3 half_m{0.05, 0.03, 0.02};
 };
@@ -108,7 +108,7 @@ TEST(Example, a_ball_goes_round_a_custom_solid_without_entering_it) {
     for (int i = 0; i <= 2000; ++i) {
         const double angle = -0.6 * kPi + 1.2 * kPi * i / 2000.0;
         const Vec3 ring(0.052 * std::cos(angle), 0.0,
-                        0.022 * std::sin(angle) + 1.0);  // puts the proxy's centre 3 mm too near to the knob
+                        0.022 * std::sin(angle) + 1.0);  // the proxy's centre would be 3 mm too near to the knob here
         const TouchResult felt = touch_tick(state, *scene, tuning, i == 0 ? Vec3(-0.1, 0.0, 0.9) : ring, 1e-3);
         EXPECT_GE(scene->closest(0, felt.proxy_m).distance_m, 0.005 - 1e-8);
         for (int k = 0; k < felt.contacts.count; ++k)

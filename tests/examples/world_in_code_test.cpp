@@ -1,4 +1,4 @@
-// Worlds made in code. Described in docs/developer/examples.md.
+// Makes worlds in code. docs/developer/examples.md describes this example.
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/touch.h"
 #include "worlds/readers/reader.h"
@@ -20,7 +20,7 @@ std::shared_ptr<const HapticScene> small_world() {
 
 // Lowers a hand by a tenth of a millimetre per tick and returns the contact on the last tick.
 TouchResult come_down(const HapticScene& scene, Vec3 hand_m, double to_z_m) {
-    TouchState state;  // this object allocates here and never during a tick
+    TouchState state;  // its constructor allocates, but no tick does
     TouchTuning tuning;
     tuning.radius_m = 0.005;
     TouchResult felt = touch_tick(state, scene, tuning, hand_m, 1e-3);
@@ -42,7 +42,7 @@ TEST(Example, a_world_made_in_code_is_touched) {
     EXPECT_EQ(step.contacts.contacts[0].feature, FeatureId{2});
 }
 
-// A map is text, so a program can write one. This one is a spiral staircase with a name for each step.
+// A map is text, so a program can write a map. This map is a spiral staircase with a name for each step.
 std::string spiral_staircase(int steps) {
     std::string map = "{\n\"classname\" \"worldspawn\"\n\"message\" \"Spiral staircase\"\n}\n";
     for (int i = 0; i < steps; ++i) {

@@ -27,7 +27,7 @@ std::uint64_t sum_of(const std::string& text) {
 }
 
 // Every compiler, optimiser and sanitizer must give the same numbers. If you change the renderer's numbers on purpose,
-// enter the new sums here. Run `touch_replay >FILE` before and after the change to see which numbers differ.
+// enter the new hashes here. Run `touch_replay >FILE` before and after the change to see which numbers differ.
 TEST(TouchRenderer, gives_identical_numbers_in_every_build_preset) {
     const std::string numbers = output_of(test::built_program("touch_replay"));
     EXPECT_GT(numbers.size(), 10000U);

@@ -45,7 +45,8 @@ public:
     UserHid(const UserHid&) = delete;
     UserHid& operator=(const UserHid&) = delete;
 
-    // The test must call this after the emulator has queued reports.
+    // Sends all reports that the emulator has queued to the kernel. The test must call this after the emulator has
+    // queued reports.
     void ring() {
         const std::lock_guard guard(lock);
         for (; !device_.to_host.empty(); device_.to_host.pop_front()) {

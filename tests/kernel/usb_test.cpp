@@ -59,7 +59,7 @@ TEST(KernelUsb, loses_none_of_a_thousand_dual_sense_reports_over_hidraw) {
 
 TEST(KernelUsb, space_mouse_steers_the_walker) {
     test::PuckEmulator puck;
-    // This is a SpaceMouse with the identifier of 3Dconnexion, because the kernel has its own driver for Logitech's
+    // This SpaceMouse has the identifier of 3Dconnexion, because the kernel has its own driver for Logitech's
     // SpaceMice.
     test::HidOnUsb function(puck, 0x256f, 0xc635, "SpaceMouse Compact");
     test::UsbIpPlug plug(function, 3, test::UsbIpPlug::Speed::Full);

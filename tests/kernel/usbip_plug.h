@@ -1,6 +1,6 @@
 // Plugs an emulated USB device into the running kernel. The kernel module vhci-hcd is a host controller whose cable is
-// a socket; this class answers every transfer on the socket. It needs root and the module. It has its own thread;
-// `lock` guards the emulator. Source: the USB/IP protocol, Documentation/usb/usbip_protocol.rst of Linux.
+// a socket; this class answers every transfer on the socket. The class needs root rights and the module. It has its own
+// thread; `lock` guards the emulator. Source: the USB/IP protocol, Documentation/usb/usbip_protocol.rst of Linux.
 #pragma once
 
 #include <atomic>
@@ -18,8 +18,8 @@ class UsbIpPlug {
 public:
     enum class Speed : std::uint8_t { Full = 2, High = 3 };
 
-    // `port` is a port of the controller, from 0 to 7. Each port takes one device at a time. Throws if the kernel
-    // refuses the device.
+    // Plugs `function` into port `port` of the controller, from 0 to 7. Each port accepts one device at a time. Throws
+    // if the kernel refuses the device.
     UsbIpPlug(UsbFunction& function, int port, Speed speed);
     ~UsbIpPlug();
     UsbIpPlug(const UsbIpPlug&) = delete;

@@ -1,4 +1,4 @@
-// Waits until asynchronous work of the kernel is done. Test thread only.
+// Provides functions that wait until asynchronous work of the kernel is done. Only the test thread uses them.
 #pragma once
 
 #include <chrono>

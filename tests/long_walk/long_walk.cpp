@@ -50,7 +50,8 @@ public:
     static constexpr double kReach_m = 0.05;
 
     // Returns whether the distance of `p` from every solid is at least `least`, which is at most kReach_m. For almost
-    // all solids, a single plane proves it. For the others, the judge tries every face, edge and corner in long double.
+    // all solids, a single plane proves the distance. For the others, the judge tries every face, edge and corner in
+    // long double.
     bool clear(const Vec3& p, double least) {
         for (const std::uint32_t s : table_[index(cell_of(p))]) {
             double out = -1e9;
@@ -132,9 +133,10 @@ struct Findings {
     double largest_jump_n = 0.0, way_m = 0.0;
 };
 
-// Returns whether a continuous movement explains a jump of the force. It does if a proxy that moves continuously from
-// the same place to the same goal comes at least as near and moves as far. Nine tenths of the distance are enough: the
-// speed cap may stop the proxy next to the direct path.
+// Returns whether a continuous movement explains a jump of the force. The reference is a proxy that moves continuously
+// from the same place to the same goal. The jump is explained if the reference comes at least as near to the goal and
+// moves as far. Nine tenths of the distance are enough, because the speed cap may stop the proxy next to the direct
+// path.
 bool explained(const Judge& judge, const Vec3& before, const Vec3& goal, const Vec3& after) {
     const BruteForce near = judge.around(before);
     ReferenceProxy reference(near, before, kRadius_m);
@@ -201,8 +203,8 @@ int run(long ticks, std::uint32_t seed) {
         if (i % 50000 != 0 && jump_n > std::max(1.0, kStiffness_n_per_m * glm::length(goal - goal_before)) + 1e-6) {
             ++found.jumps;
             found.largest_jump_n = std::max(found.largest_jump_n, jump_n);
-            // On a tick on which the speed cap stops the proxy, the proxy has not arrived. It may be one capped step
-            // away from the direct path.
+            // On a tick on which the speed cap stops the proxy, the proxy has not reached its resting place. It may be
+            // one capped step away from the direct path.
             const double on_its_way_n =
                 r.contacts.capped ? kStiffness_n_per_m * (glm::length(goal - goal_before) + tuning.slide_cap_hand_m)
                                   : 0.0;

@@ -199,7 +199,7 @@ void Monkey::trouble() {
             trouble.failed = true;
             break;
         default:
-            break;  // the device works again after this
+            break;  // no trouble: the device works again
     }
     session_->hand(below(2)).trouble.publish(trouble);
     session_->slow_servo(chance(0.1) ? 1 + static_cast<int>(below(30)) : 1);
@@ -324,7 +324,7 @@ void Monkey::run(double seconds) {
             if (!facts_[which].present) continue;
             const ToolState& tool = session_->tool(which);
             // If the hand felt no force, or the force started to fade in again on this tick, the proxy may have
-            // restarted at the hand, even inside a wall.
+            // restarted at the hand, even inside a wall. Then the last check says nothing about it.
             Free& free = ball_free_[which];
             if (tool.force_gain == 0.0 || free.gain == 0.0 || tool.force_gain < free.gain) free.known = false;
             free.gain = tool.force_gain;
@@ -340,8 +340,8 @@ void Monkey::run(double seconds) {
     }
 }
 
-// Checks that the proxies and the walker are still outside all solids. Skips those that were inside before, or that
-// something placed elsewhere.
+// Checks that the proxies and the walker are still outside all solids. Skips proxies and walkers that were inside a
+// solid before, or that something placed elsewhere.
 void Monkey::check_places() {
     const std::shared_ptr<const HapticScene> touch = app().haptic_scene();
     for (std::size_t which = 0; which < 2; ++which) {
@@ -382,9 +382,10 @@ void Monkey::check_places() {
 // Leaves every list, gives the window the keyboard focus, and checks that the program answers a query.
 void Monkey::expect_an_answer() {
     session_->set_focus(true);
-    for (int i = 0; i < 120 && app().dialogue().is_open(); ++i) {  // 120, because lists can open further lists
-        // While input help is on, Escape only announces what it does. The test does not know whether input help is on,
-        // so it tries Escape in both states.
+    // At most 120 times, because lists can open further lists.
+    for (int i = 0; i < 120 && app().dialogue().is_open(); ++i) {
+        // While input help is on, Escape only announces what Escape does. The test does not know whether input help is
+        // on, so it tries Escape in both states.
         if (i % 45 == 15) session_->press(Command::InputHelp);
         session_->tap_key("Escape");
         run(0.02);

@@ -1,6 +1,6 @@
-// A monkey test. It presses random keys, types random characters and lines, moves the hands in jumps, and changes
-// settings and worlds. Its devices break, vanish and return. It runs in virtual time with the same Session and servo as
-// the program. The same seed gives the same actions.
+// Tests the program like a monkey at the keyboard. The class presses random keys, types random characters and lines,
+// moves the hands in jumps, and changes settings and worlds. Its devices break, vanish and return. It runs in virtual
+// time with the same Session and servo as the program. The same seed gives the same actions.
 #pragma once
 
 #include <deque>
@@ -75,7 +75,7 @@ private:
     void device();
     void setting();
     void world();
-    void owner();  // does what the program does around the app
+    void owner();  // does what the owner of the app does in the program
     void run(double seconds);
     void check_tick();
     void check_places();
@@ -96,7 +96,7 @@ private:
     std::string fault_;
     double seconds_ = 0.0;
     // Remembers whether the proxy was outside all solids at the last check, and under which circumstances. While the
-    // circumstances stay the same, it must remain outside.
+    // circumstances stay the same, the proxy must remain outside.
     struct Free {
         bool known = false;
         std::uint32_t generation = 0, jump = 0;
@@ -105,7 +105,8 @@ private:
     Free ball_free_[2];
     std::shared_ptr<const Scene> walls_of_;
     std::unique_ptr<WalkerWorld> walls_;
-    // Least value that the setting ever had: a walker takes its radius from the setting when it enters a world.
+    // Least value that the setting of the walker's radius ever had. A walker copies its radius from the setting when it
+    // enters a world.
     double least_radius_m_ = 1.0;
     double body_free_m_ = 0.0;  // radius at which the walker fitted in its place at the last check; 0: it did not fit
 };

@@ -1,5 +1,5 @@
-// Performs 8,000 random actions, or 2,400 under a sanitizer, in eight parts, each with its own worlds. HANDRAIL_ACTS
-// sets the number of actions. HANDRAIL_SEED repeats a run.
+// Tests the program with 8,000 random actions, or 2,400 under a sanitizer, in eight parts, each with its own worlds.
+// HANDRAIL_ACTS sets the number of actions. HANDRAIL_SEED repeats a run.
 #include "tests/monkey/monkey.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ TEST_P(MonkeySession, never_exceeds_the_force_ceiling_never_enters_a_wall_and_al
         EXPECT_GT(monkey.done().count(kind), 0U) << kind << " never came about";
     const auto looks = monkey.done().find("ball in its place");
     const auto looked = looks == monkey.done().end() ? 0 : looks->second;
-    // At least one proxy that touched something must have felt a force. A short run may not get that far.
+    // At least one proxy must have been checked at its place. In a short run, that may not happen.
     if (acts >= 1000) {
         EXPECT_GT(looked, 0) << "the ball was never looked at";
     }

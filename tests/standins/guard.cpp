@@ -1,5 +1,5 @@
-// A stand-in for handrail-guard with a simulated device, so that tests of the program's side need no hardware. It
-// starts like handrail-guard.
+// Replaces handrail-guard by a program with a simulated device, so that tests of the program's side need no hardware.
+// It starts like handrail-guard.
 // The device's name selects its behaviour:
 // - echo
 // - blocks (after 20 exchanges)
@@ -50,8 +50,8 @@ private:
     int exchanges_ = 0;
 };
 
-// Tries to reach what a hijacked driver would try to reach. Returns the error number of each attempt; 0 means that it
-// succeeded.
+// Tries to reach what a hijacked driver would try to reach. Returns the error number of each attempt; 0 means that the
+// attempt succeeded.
 std::string reached_by_prying() {
     const auto error_of = [](int result) { return result < 0 ? errno : 0; };
     const int file = error_of(::open("/etc/passwd", O_RDONLY | O_CLOEXEC));

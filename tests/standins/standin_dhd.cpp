@@ -1,6 +1,6 @@
-// A stand-in for Force Dimension's libdhd. It has the library's symbols and sign conventions, and one device with a
-// simulated hand on it. Axes of the library: x towards the person, y right, z up. Tests control the stand-in through
-// the functions that begin with standin_.
+// Replaces Force Dimension's libdhd in tests. The stand-in has the library's symbols and sign conventions, and one
+// device with a simulated hand on it. Axes of the library: x towards the person, y right, z up. Tests control the
+// stand-in through the functions that begin with standin_.
 #include <atomic>
 #include <chrono>
 #include <cmath>

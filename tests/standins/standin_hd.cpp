@@ -1,6 +1,6 @@
-// A stand-in for 3D Systems' libHD. It has the library's symbols, a thread that runs the callbacks, and one device with
-// a simulated hand on it. Axes of the library: x right, y up, z towards the person; lengths in millimetres. Tests
-// control the stand-in through the functions that begin with standin_.
+// Replaces 3D Systems' libHD in tests. The stand-in has the library's symbols, a thread that runs the callbacks, and
+// one device with a simulated hand on it. Axes of the library: x right, y up, z towards the person; lengths in
+// millimetres. Tests control the stand-in through the functions that begin with standin_.
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -22,7 +22,7 @@ struct State {
 };
 std::mutex mutex;
 State state;
-// Number of ticks of the process after which the device is unplugged; 0: never.
+// Number of ticks after which the device is unplugged, counted from the start of the process; 0: never.
 const int goes_after = [] {
     const char* ticks = std::getenv("HANDRAIL_STANDIN_GOES_AFTER");
     return ticks ? std::atoi(ticks) : 0;

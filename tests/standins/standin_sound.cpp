@@ -1,7 +1,8 @@
-// A stand-in for a sound card that can be pulled out. Tests load it before OpenAL. While the file $STANDIN_SOUND_PULLED
-// exists, the stand-in reports that the device is gone and opens no device. It also observes the program's own voice,
-// which is the only source with queued buffers. It appends a line to $STANDIN_SOUND_VOICE with the steady clock's
-// seconds and a word: "speak" when the voice begins, "hush" when its gain goes to zero while it speaks.
+// Simulates a sound card that can be pulled out. Tests load this library before OpenAL. While the file
+// $STANDIN_SOUND_PULLED exists, the stand-in reports that the device is gone and opens no device. It also observes the
+// program's own voice, which is the only source with queued buffers. It appends a line to $STANDIN_SOUND_VOICE with the
+// steady clock's seconds and a word: "speak" when the voice begins, "hush" when the voice's gain goes to zero while it
+// speaks.
 #include <AL/al.h>
 #include <AL/alc.h>
 #include <dlfcn.h>
@@ -20,7 +21,7 @@ bool pulled() {
     return file && ::access(file, F_OK) == 0;
 }
 
-std::atomic<bool> queued_to[4096];  // the index is the source's number
+std::atomic<bool> queued_to[4096];  // whether buffers were queued to a source; the index is the source's number
 
 bool is_voice(ALuint source) { return source < std::size(queued_to) && queued_to[source]; }
 

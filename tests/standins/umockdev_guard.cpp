@@ -1,5 +1,5 @@
-// handrail-guard as it ships, but with access to the devices that umockdev emulates. Those devices are in a separate
-// folder and behind a Unix socket, neither of which the shipped guard can reach.
+// Runs handrail-guard as it ships, but with access to the devices that umockdev emulates. Those devices are in a
+// separate folder and behind a Unix socket, neither of which the shipped guard can reach.
 #include <cstdlib>
 
 #include "haptic/drivers/guard_process.h"

@@ -90,7 +90,7 @@ TEST(ReadWorld, can_be_cancelled_at_each_step_of_a_map) {
     options.progress = [&](double fraction) { steps.insert(fraction); };
     ASSERT_TRUE(read_quake_map(map, "a.map", options));
     steps.erase(1.0);
-    steps.erase(0.9);  // at this step the Scene is complete, so a cancellation may come too late
+    steps.erase(0.9);  // after this step, the reader no longer checks for a cancellation
     ASSERT_GE(steps.size(), 2U);
     for (const double step : steps) {
         std::stop_source stop;

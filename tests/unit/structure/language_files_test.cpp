@@ -1,4 +1,4 @@
-// All texts that Handrail announces or prints must be in settings/languages only. Each bundled language must be
+// Tests that settings/languages contains all texts that Handrail announces or prints, and that each bundled language is
 // complete.
 #include <algorithm>
 #include <map>
@@ -26,7 +26,7 @@ std::map<std::string, std::string> texts_of(const std::string& code) {
 
 struct Literal {
     int line = 0;
-    std::string content;  // as it is written in the source, with escapes
+    std::string content;  // the literal as it is written in the source, with escapes
 };
 
 // Returns the string literals of a C++ source. Omits comments, #include lines and contract_pre, whose texts only
@@ -80,7 +80,8 @@ bool reads_like_words(const std::string& literal) {
 const std::map<std::string, std::vector<std::string>>& not_said() {
     static const std::map<std::string, std::vector<std::string>> kNotSaid{
         {"worlds/base/contract.cpp",
-         // Printed when the program crashes, because it must not allocate memory then.
+         // The program prints this text when it crashes. It must not load languages then, because it must not allocate
+         // memory.
          {"Handrail has a fault of its own"}},
         // Only developers see these texts, in the preset debug and in tests.
         {"haptic/render/validate_scene.cpp", {"a ", "an ", "no ", "HapticScene has"}},
@@ -101,7 +102,7 @@ const std::map<std::string, std::vector<std::string>>& not_said() {
         {"app/core/kept/side_file.cpp", {"# What was added to this world"}},              // first line of a side file
         {"app/main/scenario_command.cpp", {"<testsuite", "<testcase", "<failure"}},       // XML in JUnit's format
         {"worlds/readers/map_words.cpp",
-         {"moving platform", "turning part", "secret place", "marked place"}},  // names by which files refer to things
+         {"moving platform", "turning part", "secret place", "marked place"}},  // files refer to things by these names
         // Some of these names are also in files.
         {"worlds/readers/quake_map.cpp", {"marked place", "sliding floor", "curved surface"}},
         // Scenario files use these names to refer to sounds. The program announces them as phrase("sound." + name).
@@ -109,14 +110,14 @@ const std::map<std::string, std::vector<std::string>>& not_said() {
          {"wall tone", "door moves", "door shuts", "stairs up", "stairs down", "door near", "beacon ahead",
           "beacon behind", "forces on", "forces off", "frame switch", "hidden clock", "rim back", "let go",
           "guide start", "guide stop"}},
-        {"worlds/ifc/step_file.cpp", {"version https://git-lfs"}},            // first line of a file of this kind
-        {"worlds/readers/foreign_formats.cpp", {"version https://git-lfs"}},  // beginning of a file of this kind
+        {"worlds/ifc/step_file.cpp", {"version https://git-lfs"}},            // first line of a Git LFS pointer file
+        {"worlds/readers/foreign_formats.cpp", {"version https://git-lfs"}},  // beginning of a Git LFS pointer file
         {"worlds/exports/as_words.cpp", {" "}},                // the words of room descriptions, as they are written
         {"worlds/exports/found_house.cpp", {" "}},             // also for room descriptions
         {"worlds/exports/house_things.cpp", {" "}},            // also for room descriptions
         {"worlds/exports/stated_house.cpp", {" "}},            // also for room descriptions
         {"worlds/words/word_patterns.cpp", {" "}},             // patterns for reading texts in both languages
-        {"worlds/readers/height_picture.cpp", {"cut short"}},  // a message for libpng, which does not print it
+        {"worlds/readers/height_picture.cpp", {"cut short"}},  // libpng receives this message and does not print it
         {"haptic/compile/touch_model.cpp",
          {"sheets of one side", "liquid surfaces", "textures and shading"}},               // keys of info --json
         {"haptic/drivers/found_device.cpp", {"needs calibration", "cannot be used yet"}},  // values of devices --json
@@ -152,13 +153,13 @@ const std::vector<std::string> kMadeOfNames{
     "kind.",
     "material.",
     "effect.",
-    // The names are values of OpenStreetMap's tags and of IMDF's categories.
+    // Keys that contain the values of OpenStreetMap's tags and of IMDF's categories.
     "osm_kind.",
     "osm_fact.",
     "imdf_kind.",
     "imdf_fact.",
-    // Other tests check the keys of the following sections, each next to the table with the names. The test of the next
-    // two is tests/unit/core/command_texts_test.cpp.
+    // Other tests check the keys of the following sections, each next to the table with the names. The next two
+    // sections are checked in tests/unit/core/command_texts_test.cpp.
     "command.",
     "key_name.",
     // Test: tests/unit/terminal/command_words_test.cpp
@@ -217,8 +218,8 @@ TEST(LanguageFiles, contain_every_key_that_the_code_uses_and_no_other) {
         const bool made =
             std::any_of(kMadeOfNames.begin(), kMadeOfNames.end(),
                         [&, &name = key](const std::string& section) { return name.starts_with(section); });
-        // A text for users who type words is stored next to the text for users who press keys, with "_typed" after its
-        // key (typist.h).
+        // A text for users who type words is stored next to the text for users who press keys. Its key is the other key
+        // with "_typed" after it (typist.h).
         const std::string for_keys = key.ends_with("_typed") ? key.substr(0, key.size() - 6) : key;
         const std::string& said = english.contains(for_keys) ? for_keys : key;
         EXPECT_TRUE(made || named.contains(said)) << "nothing says " << key << "; take it out of settings/languages";

@@ -1,6 +1,6 @@
-// No two types may have the same full name. If two libraries of one program each have such a type, the linker keeps
-// one copy of a function for both, such as the growth of a vector. That function then writes past the end of the other
-// type. Linkers do not report this (ISO C++20, 6.3, the one-definition rule: no diagnostic required).
+// Tests that no two types have the same full name. If two libraries of one program each have such a type, the linker
+// keeps one copy of a function for both, such as the growth of a vector. That function then writes past the end of the
+// other type. Linkers do not report this (ISO C++20, 6.3, the one-definition rule: no diagnostic required).
 #include <map>
 #include <regex>
 #include <sstream>
@@ -48,7 +48,7 @@ TEST(Types, with_the_same_full_name_are_in_only_one_file) {
     std::map<std::string, std::string> first;
     for (const std::string& file : test::project_files()) {
         if (!file.ends_with(".h") && !file.ends_with(".cpp")) continue;
-        // Each folder of tests is a separate program, so its types cannot meet those of other tests.
+        // Each folder of tests is a separate program, so its types may have the same names as types of other tests.
         const std::string program =
             file.starts_with("tests/") && !file.starts_with("tests/support/") ? file.substr(0, file.rfind('/')) : "";
         for (const std::string& name : types_of(test::content_of(test::project_root() / file))) {

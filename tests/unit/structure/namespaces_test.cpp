@@ -1,4 +1,4 @@
-// The code of each folder must be in the namespace of that folder, as docs/architecture/folders.md says.
+// Tests that the code of each folder is in the namespace of that folder, as docs/architecture/folders.md says.
 #include <map>
 #include <regex>
 #include <sstream>
@@ -29,8 +29,8 @@ std::string namespace_for(const std::string& file) {
 std::vector<std::string> strangers_of(const std::string& file, const std::string& text) {
     static const std::regex opens("namespace (handrail[A-Za-z0-9_:]*) \\{"),
         declared("(struct|class|enum class|enum) .*;.*|//.*|");
-    // This file defines the archive's functions for types of other folders. They must be in the archive's namespace,
-    // because the archive looks for them there.
+    // This file defines the archive's functions for types of other folders. The functions must be in the archive's
+    // namespace, because the archive looks them up there.
     const bool for_archive = file == "app/import/reader_answer.h";
     const std::string own = "handrail" + (namespace_for(file).empty() ? "" : "::" + namespace_for(file));
     std::vector<std::string> found;

@@ -134,8 +134,8 @@ void read_classes(const std::string& text, std::size_t begin, std::size_t end, c
         const std::string rest = text.substr(i, 7);
         const bool is_class = begins_with_word(rest, "class"), is_struct = begins_with_word(rest, "struct");
         if (!is_class && !is_struct) continue;
-        // If another of these characters comes before the brace, this is a declaration, or a parameter of a template or
-        // function.
+        // If one of these other characters comes before the brace, the keyword begins a declaration, or a parameter of
+        // a template or function.
         const std::size_t stop = text.find_first_of("{;()=>,", i);
         if (stop == std::string::npos || stop >= end || text[stop] != '{') continue;
         if (i >= 5 && text.compare(i - 5, 5, "enum ") == 0) continue;
@@ -238,8 +238,8 @@ TEST(Lines, of_sources_have_at_most_120_columns) {
     }
 }
 
-// pmccabe computes McCabe's cyclomatic number, in which a switch counts once. It does not understand nested namespace
-// names such as a::b, so it reads copies of the files with simple names.
+// pmccabe computes McCabe's cyclomatic number, in which a whole switch adds one. The tool does not understand nested
+// namespace names such as a::b, so it reads copies of the files with simple names.
 TEST(Functions, have_few_branches) {
     if (std::system("command -v pmccabe >/dev/null") != 0) GTEST_SKIP() << "pmccabe is not installed";
     const test::TemporaryFolder copies;

@@ -23,8 +23,8 @@ constexpr const char* kProgram[] = {"app/", "audio-cues/", "haptic/", "settings/
 
 bool is_source(const std::string& file) { return file.ends_with(".h") || file.ends_with(".cpp"); }
 
-// The folders that each folder may include in addition to itself. They include the dependencies of everything that the
-// folder links. docs/architecture/folders.md has the same list.
+// The folders that each folder may include in addition to itself. The list contains the dependencies of everything that
+// the folder links. docs/architecture/folders.md has the same list.
 const std::map<std::string, std::vector<std::string>> kMayLink{
     {"worlds/base", {}},
     {"worlds/confine", {"worlds/base"}},
@@ -224,8 +224,8 @@ TEST(TopLevel, contains_only_the_names_that_belong_there) {
         EXPECT_TRUE(allowed.contains(file.substr(0, file.find('/')))) << file;
 }
 
-// A path of a developer's machine is private, and does not exist on other machines. System folders that Debian
-// guarantees are allowed.
+// A path of a developer's machine is private and does not exist on other machines, so no file may contain one. System
+// folders that Debian guarantees are allowed.
 const std::regex& machine_path() {
     static const std::regex kPath(R"((^|[\s"'=(:`])/(home|root|work|mnt|media|Users|workspace)/[A-Za-z0-9_.-])",
                                   std::regex::multiline);

@@ -70,7 +70,8 @@ TEST(Desk, replaces_a_stale_desk_socket_and_is_private) {
     EXPECT_FALSE(err.str().empty());
 }
 
-// Stands for the desk of another process: a socket in the folder. It sends its title and records what it receives.
+// Stands for the desk of another process: a socket in the folder. The desk sends its title and records what it
+// receives.
 class OtherDesk {
 public:
     OtherDesk(const std::filesystem::path& file, const std::string& title)

@@ -121,7 +121,7 @@ TEST(LessonFileRead, is_complete_or_refused_in_one_sentence_if_cut_anywhere) {
         if (lesson) ++taken;
         else EXPECT_NE(lesson.error().sentence().find("a.lesson.toml"), std::string::npos) << at;
     }
-    EXPECT_GT(taken, 0U);  // a file that is cut between two sessions is still a lesson
+    EXPECT_GT(taken, 0U);  // the part before a cut between two sessions is a valid lesson
     EXPECT_LT(taken, text.size() / 2);
 }
 

@@ -188,15 +188,15 @@ TEST(LessonTaught, blocks_a_door_and_detects_that_the_learner_took_another_route
     EXPECT_EQ(lap.measures.at("reached"), 1.0);
     EXPECT_EQ(lap.measures.at("detour"), 1.0);
     EXPECT_GT(lap.measures.at("detour_time"), 0.0);
-    // The learner walks to the lift and then along the shortest planned detour. The lap ends a metre and a half before
-    // the stop.
+    // The learner walks to the lift and then along the shortest planned detour. The lap ends when the learner is a
+    // metre and a half from the stop.
     constexpr double kArrived_m = 1.5;
     const double shortest_m = level_way_m(shortest.points_m) - kArrived_m;
     const double to_lift_m = level_way_m(to_lift.points_m), round_m = level_way_m(round.points_m) - kArrived_m;
     EXPECT_GT((to_lift_m + round_m) / shortest_m, 1.1) << "that was no way round";
     EXPECT_NEAR(lap.measures.at("path_ratio"), (to_lift_m + round_m) / shortest_m, 0.07);
-    // The lesson measures the path between places that are a quarter metre apart. So its length is up to a thirtieth
-    // shorter than the sum of all steps.
+    // The lesson measures the path between places that are a quarter metre apart. So the measured length is up to a
+    // thirtieth shorter than the sum of all steps.
     EXPECT_NEAR(lap.measures.at("path_ratio"), gone_m / shortest_m, 0.035);
     pupil.run().end(pupil.headless().now_s());
     pupil.live(1.0);
@@ -336,8 +336,8 @@ TEST(Learning, that_ends_at_once_reports_no_progress_and_otherwise_the_progress_
     EXPECT_TRUE(pupil.run().results()[1].measures.contains("exits_percent"));
 }
 
-// A lesson with a base, landmarks, a route with less help in each lap, pointing and a distance. Architects designed the
-// house for real use.
+// The lesson has a base, landmarks, a route with less help in each lap, pointing and a distance. Architects designed
+// the house for real use.
 TEST(LessonTaught, in_a_real_building_is_walked_measured_and_finished) {
     const auto file = test::real_world("duplex-apartment.ifc");
     if (!file) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
@@ -402,7 +402,8 @@ to = ["Stove"]
     EXPECT_GT(pupil.run().results()[3].measures.at("distance_judged"), 0.3);
 }
 
-// A route with one stop, as "Prepare a lesson" writes it. From the start, the stop is near the hand or the feet.
+// The lesson has a route with one stop, as "Prepare a lesson" writes it. At the start, the stop is near the hand or the
+// feet.
 TEST(LessonTaught, leads_to_a_stop_that_is_near_the_hand_or_feet_from_the_start) {
     LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
     const Vec3 base_m = school()->base().stand_m;

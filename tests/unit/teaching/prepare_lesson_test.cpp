@@ -1,4 +1,4 @@
-// An instructor prepares a lesson in the program, key by key. Then the program teaches the lesson.
+// Tests an instructor who prepares a lesson in the program, key by key. Then the program teaches the lesson.
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -106,7 +106,7 @@ TEST(PreparingALesson, saves_no_lesson_without_a_landmark_or_a_route) {
     instructor.key("Enter");
     EXPECT_FALSE(instructor.headless().app().requests().take_lesson_draft());
     EXPECT_FALSE(instructor.headless().app().dialogue().typing());
-    // The list must stay open, so that the next keys operate it and do not move the walker.
+    // The list of choices must stay open, so that the next keys operate it and do not move the walker.
     const Vec3 stood = instructor.headless().app().feet_m();
     EXPECT_NE(instructor.at().find("Save"), std::string::npos) << instructor.at();
     instructor.key("Up");

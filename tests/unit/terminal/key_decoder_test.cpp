@@ -34,7 +34,7 @@ struct Sequence {
     std::string name;
 };
 
-// Every key of a PC keyboard with every modifier, as xterm and similar terminals send them.
+// Returns every key of a PC keyboard with every modifier, as xterm and similar terminals send the keys.
 std::vector<Sequence> xterm_sequences() {
     std::vector<Sequence> all;
     const char* kHeld[] = {"",         "Shift+",         "Alt+",         "Alt+Shift+",
@@ -146,7 +146,8 @@ TEST(KeyDecoder, recognises_every_sequence_under_the_key_name_of_the_window) {
     EXPECT_THAT(decoded(std::string(1, '\0')), ElementsAre(key("Control+Space")));
 }
 
-// The decoder must give the same result however the bytes are split on their way, unless a timeout passes between them.
+// The decoder must give the same result however the bytes are split on their way, unless a timeout passes between two
+// pieces.
 TEST(KeyDecoder, gives_the_same_result_for_bytes_cut_anywhere) {
     std::string all;
     std::vector<TerminalInput> expected;
@@ -233,7 +234,7 @@ TEST(KeyDecoder, passes_pasted_text_on_as_text_rather_than_keys) {
         EXPECT_EQ(text, "forward 3\rtür") << cut;
         EXPECT_THAT(keys, ElementsAre(key("K", "k"))) << cut;
     }
-    // If the end of a paste is lost, the paste must end at the next key.
+    // If the end mark of a paste is lost, the next key must end the paste.
     EXPECT_THAT(decoded("\x1b[200~abc\x1b[Bk"), ElementsAre(pasted("abc"), key("Down"), key("K", "k")));
 }
 
@@ -269,8 +270,8 @@ TEST(TerminalSends, exactly_the_keys_that_have_an_escape_sequence) {
     EXPECT_TRUE(terminal_sends("alt+w"));
 }
 
-// The keys that Handrail suggests at a terminal must exist there. If a command has no such key, Handrail must suggest
-// its word.
+// The keys that Handrail suggests at a terminal must be keys that the terminal can send. If a command has no such key,
+// Handrail must suggest the word of the command.
 TEST(KeyMap, names_keys_that_a_terminal_can_send_and_otherwise_the_typed_command) {
     const std::map<std::string, std::string> changes{{"where", "Keypad5 F2"}};
     const KeyMap keys(changes);

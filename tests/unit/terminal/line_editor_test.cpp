@@ -9,7 +9,7 @@ namespace line_editor_test {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// Returns the terminal's last line after this output.
+// Returns the terminal's last line after the output `written`.
 std::string shown(const std::string& written) {
     std::string line;
     for (std::size_t i = 0; i < written.size(); ++i) {

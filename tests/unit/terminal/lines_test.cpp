@@ -66,7 +66,7 @@ TEST(LineInput, never_blocks_and_keeps_a_last_line_without_a_line_break) {
     ::close(ends[0]);
 }
 
-// The watch's own thread must see an urgent line, although nobody calls take().
+// The thread of LineWatch must recognise an urgent line, although nobody calls take().
 TEST(LineWatch, recognises_an_urgent_line_at_once_and_drops_the_lines_before_it) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);

@@ -1,6 +1,6 @@
-// A person's terminal must be restored however the program ends. Each case runs in a separate terminal, and the test
-// then reads the terminal's modes. These tests do not run under the thread sanitizer, which delays signals. There,
-// tests/program ends and stops the whole program instead.
+// Tests that a person's terminal is restored however the program ends. Each case runs in a separate terminal, and the
+// test then reads the terminal's modes. These tests do not run under the thread sanitizer, which delays signals. Under
+// that sanitizer, tests/program ends and stops the whole program instead.
 #if !defined(HANDRAIL_SANITIZED_THREAD)
 #include "app/terminal/raw_terminal.h"
 
@@ -23,7 +23,7 @@ namespace raw_terminal_test {
 
 using test::PtyJob;
 
-// Starts a job that takes its terminal, reports that, waits for a line end and then calls `then`.
+// Starts a job that puts its terminal into raw mode, reports that, waits for a line end and then calls `then`.
 std::unique_ptr<PtyJob> job_that(const std::function<void()>& then) {
     auto job = PtyJob::start([then] {
         const auto terminal = RawTerminal::take(STDIN_FILENO, STDOUT_FILENO);
@@ -131,7 +131,7 @@ TEST(RawTerminal, of_a_background_job_is_left_to_the_shell) {
     job->type("\x1a");
     ASSERT_TRUE(job->stops());
     job->send(SIGCONT);
-    // The job reads from its terminal in the background, which stops it again.
+    // The continued job reads from its terminal in the background, so the kernel stops the job again.
     ASSERT_TRUE(job->stops());
     EXPECT_TRUE(job->as_before());
     job->send(SIGTERM);

@@ -48,7 +48,7 @@ TEST(TerminalKeys, arrive_in_order_and_an_escape_after_its_waiting_time) {
     EXPECT_TRUE(test::eventually([&] { return keys.ended(); }));
 }
 
-// The object's own thread must see an urgent key, although nobody calls take().
+// The thread of TerminalKeys must recognise an urgent key, although nobody calls take().
 TEST(TerminalKeys, an_urgent_key_is_recognised_at_once_behind_a_flood_and_drops_earlier_ones) {
     Keyboard board;
     std::promise<void> seen;

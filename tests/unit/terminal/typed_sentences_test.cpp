@@ -1,4 +1,4 @@
-// Tests whole sentences, as people type them who do not know the words of commands.
+// Tests whole sentences, as people type them if they do not know the words of commands.
 #include "app/core/dialogue/typed_sentences.h"
 
 #include <gmock/gmock.h>

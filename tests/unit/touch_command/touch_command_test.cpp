@@ -22,7 +22,7 @@ struct Row {
     const std::string& fault() const { return cells.at(12); }
 };
 
-// Parses CSV as RFC 4180 defines it, but with one line per row, because no name in the tests contains a line break.
+// Parses CSV as RFC 4180 defines it, except that each row must be one line. No name in the tests contains a line break.
 std::vector<Row> rows_of(const std::string& csv) {
     std::vector<Row> rows;
     std::istringstream lines(csv);
@@ -51,7 +51,8 @@ std::vector<Row> rows_of(const std::string& csv) {
     return rows;
 }
 
-// The table's top is at z = 0. The table measures 128 x 128 x 32 units, so it is 4 m wide at 1/32 m per unit.
+// The world of the tests is a table with its top at z = 0. The table measures 128 x 128 x 32 units, so it is 4 m wide
+// at 1/32 m per unit.
 class TouchCommand : public testing::Test {
 protected:
     TemporaryFolder folder_;
@@ -140,7 +141,8 @@ TEST_F(TouchCommand, pushes_free_bodies_in_virtual_time_with_bit_identical_resul
     for (std::size_t i = 0; i < first.size(); ++i) ASSERT_EQ(again[i].cells, first[i].cells) << "row " << i;
 }
 
-// If rows are far apart in time, the command must still end. By the later row, the pushed body must have come to rest.
+// If rows are far apart in time, the command must still end. At the time of the later row, the pushed body must have
+// come to rest.
 TEST_F(TouchCommand, terminates_for_rows_a_year_apart_with_moving_bodies) {
     arguments_.world =
         folder_.write("crate.map", entity("worldspawn", "", room_brushes(-128, -128, 0, 128, 128, 96)) +
@@ -160,7 +162,7 @@ TEST_F(TouchCommand, accepts_radius_stiffness_scale_and_map_scale) {
     arguments_.scale_world_m_per_hand_m = 1.0;
     arguments_.radius_m = 0.005;
     arguments_.common.map_scale_m_per_unit = 1.0 / 64.0;
-    // At this scale, the table reaches 1 m from its middle to its edge. Beyond the edge is nothing.
+    // At this scale, the table extends 1 m from its middle to its edge. Beyond the edge, the hand must feel nothing.
     EXPECT_EQ(rows("t,x,y,z\n0,1.5,0,0.01\n0.001,1.5,0,0.009\n0.002,1.5,0,-0.1\n").back().force(), Vec3(0.0));
 }
 
@@ -220,7 +222,8 @@ TEST_F(TouchCommand, applies_stiffness_rating_peak_force_and_jump_check_of_a_dev
     EXPECT_NEAR(last.force().z, std::min(0.8 * spec->rated_stiffness_n_per_m * 0.006, spec->peak_force_n), 1e-9);
     last = rows(press(0.1)).back();
     EXPECT_NEAR(last.force().z, spec->peak_force_n, 1e-12);
-    // A spike in the path gives one bad row. A real jump also gives one; after it, the new place is accepted.
+    // A spike in the path gives one row with a fault. A real jump also gives one; in the next row, the command accepts
+    // the new place.
     const std::vector<Row> spike = rows("t,x,y,z\n0,0,0,1\n1,0,0,1.06\n2,0,0,1.001\n3,0.03,0,1\n4,0.031,0,1\n");
     EXPECT_EQ(spike[1].fault(), "jump");
     EXPECT_EQ(spike[1].proxy(), Vec3(0, 0, 1));

@@ -1,5 +1,5 @@
-// The validators must find inconsistencies, and must find none in what the program generates. If a caller violates a
-// contract, the program must end and name the place in the code.
+// Tests the validators. They must find inconsistencies, and must find none in what the program generates. If a caller
+// violates a contract, the program must end and name the place in the code.
 #include <functional>
 
 #include "app/core/desk/desk.h"

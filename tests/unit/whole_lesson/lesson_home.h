@@ -1,5 +1,5 @@
-// What tests of lessons need: a private home folder, a learner who consents to everything, the lesson as the command
-// line begins it, and the instructor's desk.
+// Provides what tests of lessons need: a private home folder, a learner who consents to everything, the lesson as the
+// command line begins it, and the instructor's desk.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ protected:
             std::filesystem::create_directories(home_.path() / name);
         std::filesystem::permissions(home_.path() / "run", std::filesystem::perms::owner_all);
     }
-    // Makes the learner, with consent to the purposes in `agreed`.
+    // Makes a learner who consents to the purposes in `agreed`.
     static Learner pupil(std::span<const Purpose> agreed = kPurposes) {
         Learners learners(user_data_folder());
         const auto made = learners.make(kPupil, {});

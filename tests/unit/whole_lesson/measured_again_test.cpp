@@ -1,7 +1,7 @@
-// Runs ten lessons whose learners walk, stop, query and answer at random. The test calculates all measures a second
-// time, by plain sums over the lines and tables of the recordings. Some measures depend on when a sample was taken: the
-// lesson samples ten times a second, the tables sixty times. For these, the sums give the smallest and the largest
-// permissible value.
+// Tests the measures of ten lessons whose learners walk, stop, query and answer at random. Calculates all measures a
+// second time, by plain sums over the lines and tables of the recordings. Some measures depend on when a sample was
+// taken: the lesson samples ten times a second, the tables sixty times. For these measures, the sums give the smallest
+// and the largest permissible value.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace measured_again_test {
 
 namespace fs = std::filesystem;
 
-// Rectangular rooms, so that the walls are four lines.
+// The rooms are rectangular, so that the walls are four lines.
 constexpr const char* kLibrary =
     "Building: Town library.\n"
     "Walls: 0.2 metres thick.\n\n"
@@ -107,7 +107,7 @@ private:
     int chance(int of) { return static_cast<int>(draw_() % static_cast<std::uint64_t>(of)); }
     double between(double least, double most) { return least + (most - least) * chance(1001) / 1000.0; }
 
-    // Does something that any learner does now and then, chosen at random.
+    // Does something that any learner does now and then. Chooses the action at random.
     void dawdles() {
         switch (chance(7)) {
             case 0:
@@ -337,8 +337,8 @@ private:
         return {episodes(from_s + kLooks_s, to_s - kLooks_s), episodes(from_s - kLooks_s, to_s + kLooks_s)};
     }
     // Returns how much of the hall's four walls the learner knows, in percent. If the walker was near enough to trail
-    // or touch a wall, a walker's width of that wall counts as known. A walker who was guided to a wall counts as
-    // trailing from 0.3 m in front of it.
+    // or touch a wall, the learner knows a part of that wall as wide as the walker. If the session guides the walker to
+    // a wall, the walker trails that wall from 0.3 m in front of it.
     Range walls(double until_s) const {
         const StatedRoom& hall = scene_.stated->rooms[0];
         const auto corners = box(hall);
@@ -495,8 +495,8 @@ bool holds_in_order(const std::vector<std::string>& whole, const std::vector<std
 Result<Recording> recording_of(const Learner& learner) {
     return read_recording(fs::directory_iterator(Learners(user_data_folder()).recordings_of(learner.id))->path());
 }
-// The learner does not consent to being remembered, so what they learnt in an earlier lesson does not count in this
-// one.
+// The learner does not consent to being remembered. So the lesson must not use what the learner learnt in an earlier
+// lesson.
 constexpr std::array kAgreed = {Purpose::Record};
 
 class MeasuredAgain : public LessonHome, public testing::WithParamInterface<int> {};

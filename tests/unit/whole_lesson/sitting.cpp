@@ -24,7 +24,7 @@ EnteringWorld world_of(const std::filesystem::path& file) {
 }  // namespace
 
 double Sway::next_m() {
-    // Fraction of the sway that remains from frame to frame: 0.95 in a tenth of a second.
+    // Fraction of the sway that remains from one frame to the next; a tenth of a second keeps 0.95 of the sway.
     constexpr double kStays = 0.9915;
     now_m_ = kStays * now_m_ + std::sqrt(1.0 - kStays * kStays) * size_m_ * normal_(draw_);
     return now_m_;

@@ -1,7 +1,7 @@
-// A session of the program as app/main assembles it, without a window, devices and a sound card. It includes the
-// visited world, the lesson with its desk, the recording, and the sounds with what they and the session exchange. Its
-// clock moves only on request, so minutes of a session pass in seconds. One thread runs it. As in the program, a
-// background task finds rooms.
+// Runs a session of the program as app/main assembles it, without a window, devices and a sound card. The session
+// includes the visited world, the lesson with its desk, the recording, and the sounds with what they and the session
+// exchange. Its clock moves only on request, so minutes of a session pass in seconds. One thread runs the session. As
+// in the program, a background task finds rooms.
 #pragma once
 
 #include <memory>
@@ -48,8 +48,8 @@ public:
     void live(double seconds);
     // Waits until the background task has found rooms and routes. Returns whether the session knows them.
     bool know_rooms();
-    // If false, each frame also takes a real millisecond, so that background tasks can keep up with lists that need
-    // their results.
+    // If `hurries` is false, each frame also lasts a real millisecond, so that background tasks can keep up with lists
+    // that need their results.
     void hurry(bool hurries) { hurries_ = hurries; }
 
     // Presses a key, or the keys of a text, each down and up. Then waits half a second for the reaction.
@@ -62,13 +62,13 @@ public:
     // the route. If the lesson places the walker elsewhere during the walk, the walk counts as complete.
     bool walk(const std::vector<Vec3>& places, Sway* sway = nullptr);
     void face(const Vec3& at);
-    // How far the walker was to the right of the intended lines on the last walks, in metres, sampled every tenth of a
-    // second.
+    // Returns how far the walker was to the right of the intended lines on the last walks, in metres, sampled every
+    // tenth of a second.
     const std::vector<double>& aside_m() const { return aside_m_; }
 
     bool hears(const std::string& words, double within_s = 20.0);
     std::string all() const;
-    // Also teaches another lesson, in parallel with that of the arguments. Null means none.
+    // Also teaches `run`, another lesson, in parallel with that of the arguments. Null ends the second lesson.
     void teach(TeachingRun* run) { beside_ = run; }
 
     Session& app() { return app_; }

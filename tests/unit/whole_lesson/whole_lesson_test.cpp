@@ -1,7 +1,7 @@
-// A lesson from its preparation to the deletion of the learner's last trace, in the bundled school and in a house by
-// real architects. An instructor prepares the lesson by keys, and a learner takes its three sessions. The program must
-// recognise three kinds of walks, and read its report back. The recordings must replay with the same lines. Finally the
-// learner is deleted. This is scenario 20 of the design.
+// Tests a lesson from its preparation to the deletion of the learner's last trace, in the bundled school and in a house
+// by real architects. An instructor prepares the lesson by keys, and a learner completes its three sessions. The
+// program must recognise three kinds of walks, and read its own report back. The recordings must replay with the same
+// lines. Finally the learner is deleted. This is scenario 20 of the design.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -335,7 +335,7 @@ void WholeLesson::whole(const Building& at) {
         expect_summaries(*recording, walls ? "Along the walls." : "contact");
     }
 
-    // Makes the report. Both tables must read back unchanged.
+    // Makes the report. Both tables of the report must read back unchanged.
     const fs::path page = home_.path() / "page.html", csv = home_.path() / "results.csv",
                    json = home_.path() / "results.json";
     ReportArguments report;
@@ -356,7 +356,7 @@ void WholeLesson::whole(const Building& at) {
         EXPECT_TRUE(std::none_of(rows->begin(), rows->end(),
                                  [](const ResultRow& row) { return row.measure == "walls_percent"; }));
     EXPECT_LT(value_of(*rows, "1", "point", "pointing_off"), 5.0);
-    // Percent of the time; the learner spent 28 s along the walls.
+    // Percent of the session's time; the learner spent 28 s along the walls.
     EXPECT_GE(value_of(*rows, "1", "session", "strategy_perimeter"), 20.0);
     const std::string go = " go " + at.destination;
     EXPECT_GT(value_of(*rows, "2", "2" + go, "led_time"), 5.0);
@@ -375,7 +375,7 @@ void WholeLesson::whole(const Building& at) {
         value_of(*rows, "3", go.substr(1), measure);
     EXPECT_THAT(content_of(page), HasSubstr("A door was blocked, and you found another route."));
 
-    // Nothing of the learner may remain, while the instructor's lesson must.
+    // No data of the learner may remain, but the instructor's lesson must.
     std::istringstream nobody;
     std::ostringstream deleted;
     EXPECT_EQ(run_learner({.action = "delete", .name = kPupil, .yes = true}, nobody, deleted, err), 0) << err.str();
@@ -397,13 +397,14 @@ Building our_school() {
             .door = "Lift door",
             .misspelt = "Lift dor",
             .before_m = {14.1, 9.8, 0.0},
-            // The stairs are as good a route as the lift, and the lesson directs the learner to the stairs.
+            // The stairs are as good a route as the lift, and the lesson directs the learner to the stairs. So the
+            // route must avoid the lift door.
             .not_by = "Lift door"};
 }
 
 TEST_F(WholeLesson, is_prepared_taught_measured_replayed_and_forgotten) { whole(our_school()); }
 
-// Sanitizers would give the same shares, and the walks would take too long under them.
+// The test skips this under sanitizers, which would give the same shares but make the walks too slow.
 TEST_F(WholeLesson, recognises_three_kinds_of_walks) {
     if (kSanitizerScale == 1.0) expect_right_names(prepared(our_school()), our_school().world);
 }
@@ -413,7 +414,7 @@ TEST_F(WholeLesson, in_an_architects_house_works_from_preparation_to_complete_de
     if (kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the lesson in our school is enough";
     const auto file = test::real_world("duplex-apartment.ifc");
     if (!file) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
-    // The test uses a copy, because the side file is written next to it.
+    // The test uses a copy of the world, because the program writes the side file next to the world.
     const fs::path copy = home_.path() / file->filename();
     fs::copy_file(*file, copy);
     whole({.world = copy,

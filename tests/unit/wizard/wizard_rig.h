@@ -1,5 +1,5 @@
-// The set-up wizard together with the servo, the cue planner and a voice that takes realistic time. It runs on a
-// virtual clock without threads. The simulated hand is on a simulated device or on an emulated Falcon.
+// Runs the set-up wizard together with the servo, the cue planner and a voice that takes realistic time, on a virtual
+// clock without threads. The simulated hand is on a simulated device or on an emulated Falcon.
 #pragma once
 
 #include "app/wizard/wizard_session.h"
@@ -106,7 +106,7 @@ public:
     RecordingAudio audio;
     RecordingSpeech speech{175.0};
     WizardSense sense;
-    // Forces on the hand since the start or the last forget_forces().
+    // Greatest force, and greatest change of the force in a tick, since the start or the last forget_forces().
     double largest_force_n = 0.0, largest_step_n = 0.0;
     void forget_forces() { largest_force_n = largest_step_n = 0.0; }
 

@@ -66,8 +66,8 @@ TEST(WizardFromStartToEnd, with_a_simulated_touch_takes_a_brisk_person_less_than
     EXPECT_EQ(profile.hand, HoldingHand::Left);
     EXPECT_NEAR(profile.width_m.value(), 1.4 * 0.075, 0.01);
     EXPECT_NEAR(profile.depth_m.value(), 1.3 * 0.075, 0.01);
-    // The person moved from 0.6 radii ahead to 0.7 behind, so the middle is 0.05 radii behind. The wizard places 5 of 8
-    // parts of the depth ahead of the body and 3 behind.
+    // The person moved the hand from 0.6 radii ahead to 0.7 radii behind, so the middle is 0.05 radii behind. The
+    // wizard places 5 of 8 parts of the depth ahead of the body and 3 behind.
     EXPECT_NEAR(profile.offset_ahead_m.value(), (0.125 * 1.3 + 0.05) * 0.075, 0.003);
     EXPECT_EQ(profile.scale, 60.0);
     EXPECT_EQ(rig.store.values().walk.step_length_m, 0.65);
@@ -225,7 +225,7 @@ TEST(Wizard, removes_all_force_at_once_on_the_stop_key) {
     held.aim({0.0, 0.0, 0.01});
     ASSERT_TRUE(rig.run_until([&] { return rig.force_n() > 0.3; }));
     rig.key("F12");
-    rig.run(0.003);  // covers the tick that receives the key, and the device's own delay
+    rig.run(0.003);  // long enough for the tick that receives the key, and for the device's own delay
     EXPECT_EQ(rig.force_n(), 0.0);
     rig.run(1.0);
     EXPECT_EQ(rig.force_n(), 0.0);

@@ -1,4 +1,4 @@
-// When a route for directions is planned, a first task plans the first legs, and a later task plans the rest.
+// Tests how routes for directions are planned: a first task plans the first legs, and a later task plans the rest.
 #include "app/core/wayfinding/directions_ground.h"
 #include "tests/support/names.h"
 #include "tests/unit/core/app_session.h"
@@ -56,7 +56,7 @@ TEST(FirstLegs, are_the_same_as_the_beginning_of_the_whole_route) {
     EXPECT_GE(in_parts, 5);
 }
 
-// Runs each task immediately, but holds back the tasks that plan routes for directions until release().
+// Runs each task immediately, except tasks that plan routes for directions. Runs those only after release().
 class HeldBack : public Executor {
 public:
     std::thread run(const char* name, std::function<void()> job) const override {

@@ -1,5 +1,5 @@
-// Tests what happens when a walk meets an obstacle. The walker slides along obstacles that it meets at a slant, and
-// into a doorway whose frame it meets. All other obstacles stop it. Also tests steps to the side.
+// Tests what happens when a walk meets an obstacle. The walker must slide along obstacles that it meets at a slant, and
+// into a doorway whose frame it meets. All other obstacles must stop the walker. Also tests steps to the side.
 #include "app/core/walking/gait.h"
 
 #include <cmath>
@@ -50,7 +50,7 @@ TEST(Gait, slides_into_a_doorway_at_most_twice_and_never_if_it_is_straight_ahead
     gait.went_aside(0.04, 0.03);
     EXPECT_EQ(gait.aside_left_m(), 0.0);
     EXPECT_EQ(gait.went(kTick_m, 0.0, true, to_the_left), Gait::Course::Aside);
-    gait.went_aside(0.02, 0.0);  // the walker meets something there, too
+    gait.went_aside(0.02, 0.0);  // the walker meets something to the side, too
     EXPECT_EQ(gait.aside_left_m(), 0.0);
     EXPECT_EQ(gait.went(kTick_m, 0.0, true, to_the_left), Gait::Course::Stopped);
 }
@@ -72,7 +72,7 @@ struct TwoRooms : test::AppSession {
         b.start({2, 2, 0}, 0.0);
         app.apply(WorldEntered{make_ready(b.share())}, now);
         run(0.1);
-        ask(Command::Exits);  // after this, the session knows the routes
+        ask(Command::Exits);  // so that the session knows the routes from now on
     }
     void walk_from(const Vec3& feet_m, double heading_deg, Command command, int steps) {
         app.apply(Placed{feet_m, heading_deg * kPi / 180.0}, now);

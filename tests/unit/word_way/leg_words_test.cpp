@@ -80,8 +80,8 @@ TEST(LegWords, differ_for_each_of_the_sixteen_turns) {
     }
 }
 
-// If a background task finds the rooms, another one plans the route for directions. The session announces the length
-// immediately and the first leg later.
+// If a background task finds the rooms, another background task plans the route for directions. So the session
+// announces the length immediately and the first leg later.
 TEST(LegWords, arrive_from_the_background_while_the_session_continues) {
     test::AppSession person({}, {}, SessionOptions{.executor = on_threads()});
     person.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, person.now);
@@ -103,7 +103,8 @@ TEST(LegWords, arrive_from_the_background_while_the_session_continues) {
     }));
     const std::string first_leg = person.said.back();
     EXPECT_EQ(person.ask(Command::RepeatLeg), first_leg);
-    // If a person requests the rest of the route meanwhile, the session must announce it when it is known.
+    // If a person requests the rest of the route during the planning, the session must announce the rest when it is
+    // known.
     person.ask(Command::Routes);
     person.line("Bathroom");
     person.said.clear();

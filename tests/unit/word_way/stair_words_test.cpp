@@ -1,5 +1,5 @@
-// A walker who only hears announcements must be able to climb stairs of each form by following them with the keys, and
-// to come down again.
+// Tests that a walker who only hears announcements can climb stairs of each form by following the announcements with
+// the keys, and can come down again.
 #include "tests/support/names.h"
 #include "tests/support/stair_house.h"
 #include "tests/support/word_walker.h"

@@ -1,7 +1,7 @@
-// Simulates a walker who follows the announced directions exactly. It turns by notches. It walks some steps, or until
-// something stops it, or until the stairs are behind it. It also opens doors and requests the next leg. It understands
-// the form of legs in two languages, but knows neither the map nor where it is. The session is the real one. The walker
-// goes from each room to every other room.
+// Simulates a walker who follows the announced directions exactly. The walker turns by notches. It walks some steps, or
+// until something stops it, or until the stairs are behind it. It also opens doors and requests the next leg. The
+// walker understands the form of legs in two languages, but knows neither the map nor where it is. The session is a
+// real session. The walker goes from each room to every other room.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -42,7 +42,7 @@ public:
     Literal(std::shared_ptr<const Scene> world, const LegForm& form) : form_(form) {
         person_.app.apply(WorldEntered{make_ready(std::move(world))}, person_.now);
         person_.run(0.1);
-        person_.ask(Command::Exits);  // after this, the session knows the rooms
+        person_.ask(Command::Exits);  // so that the session knows the rooms from now on
     }
     // Shuts each door that the walker opened, from the place where the walker opened it, so that all doors are as
     // before.
@@ -94,7 +94,7 @@ private:
         for (int i = 0; i < 6000 && !person_.app.idle(); ++i) person_.run(1.0 / 60.0);
         person_.run(0.15);
     }
-    // Moves the walker away before the walk, so that it is not exactly where it should be.
+    // Moves the walker away from its place before the walk, so that the walk does not begin exactly where it should.
     void drift(double way_m, double way_rad) {
         person_.app.apply(Steered{{std::cos(way_rad), std::sin(way_rad), 0.0}}, person_.now);
         person_.run(way_m / person_.app.settings().walk.speed_m_per_s);
@@ -130,7 +130,7 @@ private:
         person_.app.apply(CommandUp{Command::Forward}, person_.now);
         wait();
     }
-    // Walks until the session announces the landing, and then releases the key.
+    // Walks until the session announces the end of the flight of stairs, and then releases the key.
     void walk_until_over(std::size_t said, int steps) {
         person_.app.apply(CommandDown{Command::Forward}, person_.now);
         for (int i = 0; i < 60 * (30 + 2 * steps); ++i) {
@@ -160,7 +160,7 @@ private:
     int legs_ = 0;
 };
 
-// What the judge of the walks knows about the world. The walker does not know it.
+// What the judge of the walks knows about the world. The walker does not know any of it.
 struct Judge {
     std::shared_ptr<Navigation> navigation;
     RoomGraph graph;
@@ -198,7 +198,7 @@ struct Counted {
     int routes = 0, came = 0, legs = 0;
 };
 
-// Walks one route after another. The errors use `seed` and the numbers after it.
+// Walks one route after another. The random errors of the walks use `seed` and the numbers after it.
 class Routes {
 public:
     Routes(const std::shared_ptr<const Scene>& world, const LegForm& form, const Errors& errors, std::uint64_t seed)

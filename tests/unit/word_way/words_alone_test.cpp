@@ -1,5 +1,6 @@
-// A walker who follows the announced directions must arrive. It only hears announcements, and walks by name to the
-// rooms of whole buildings and back to where it began. Then the test compares the position of its feet with the rooms.
+// Tests that a walker who follows the announced directions arrives. The walker only hears announcements, and walks by
+// name to the rooms of whole buildings and back to where it began. Then the test compares the position of the walker's
+// feet with the rooms.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ namespace words_alone_test {
 
 using test::WordWalker;
 
-// What the judge of the walks knows about the world. The walker does not know it.
+// What the judge of the walks knows about the world. The walker does not know any of it.
 class Judge {
 public:
     explicit Judge(const Scene& scene) : scene_(scene) {
@@ -35,8 +36,8 @@ public:
     const std::vector<Room>& rooms() const { return graph_.rooms; }
     std::uint32_t room(const Vec3& at_m) const { return ways_ ? room_at(graph_, ways_->space(), at_m) : kNothing; }
     Route way(const Vec3& from_m, std::uint32_t to) const { return ways_->plan(from_m, graph_.rooms[to].middle_m); }
-    // Returns true if the feet are in the room's outline in the file. If the file has no outline, they must be on the
-    // room's floor.
+    // Returns true if the feet are inside the outline that the file states for the room. If the file states no outline,
+    // returns true if the feet are on the room's floor.
     bool in_room(const Vec3& feet_m, std::uint32_t room_index) const {
         if (scene_.stated)
             for (const StatedRoom& stated : scene_.stated->rooms)
@@ -71,8 +72,8 @@ const char* end_word(WordWalker::End end) {
     return "";
 }
 
-// Greatest number of rooms that the test tries in a building. If there are more, the test draws this many at random,
-// because a building of 400 rooms would take an hour.
+// Greatest number of rooms that the test tries in a building. If a building has more rooms, the test draws this many at
+// random, because a building of 400 rooms would take an hour.
 constexpr std::size_t kMostRooms = 100;
 constexpr std::uint32_t kDrawnBy = 20261129;
 

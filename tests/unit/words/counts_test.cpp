@@ -1,5 +1,5 @@
-// If a world is written as room descriptions and read again, the numbers of rooms, doors, windows, stairs and pieces of
-// furniture must be the same.
+// Tests worlds that are written as room descriptions and read again. The numbers of rooms, doors, windows, stairs and
+// pieces of furniture must be the same.
 #include <gmock/gmock.h>
 
 #include <map>
@@ -31,8 +31,8 @@ Counts counts_of(const Scene& scene) {
             static_cast<std::size_t>(stated.stairs), stated.furnishings.size()};
 }
 
-// Counts the parts of a map, which states no counts. Rooms count as the program finds them, stairs as a room on each of
-// their storeys, and things by their names.
+// Counts the parts of a map, which states no counts. The rooms are those that the program finds. Stairs are one room on
+// each of their storeys. Things are recognised by their names.
 Counts counts_of_map(const Scene& scene, const WordsHouse& house) {
     Counts counts;
     for (const WordsHouse::Room& room : house.rooms) {
@@ -42,7 +42,7 @@ Counts counts_of_map(const Scene& scene, const WordsHouse& house) {
     counts.doors = static_cast<std::size_t>(scene.report.doors);
     for (const Feature& feature : scene.features) {
         const bool window = feature.name.ends_with("indow");
-        const bool of_stairs = feature.name.starts_with("Stair");  // stairs count as a room
+        const bool of_stairs = feature.name.starts_with("Stair");  // the rooms above already include the stairs
         if (feature.kind != FeatureKind::Object || feature.made_name || feature.name.empty() || of_stairs) continue;
         ++(window ? counts.windows : counts.furniture);
     }
@@ -116,8 +116,8 @@ TEST(WindowsInWords, are_unchanged_after_export_and_import_in_both_languages) {
     }
 }
 
-// The descriptions state the material of each room's floor, of things, and of the walls. All walls get the most
-// frequent wall material.
+// The descriptions state the material of each room's floor, of things, and of the walls. The reader gives all walls the
+// most frequent wall material.
 TEST(MaterialsInWords, are_unchanged_after_export_and_import_in_both_languages) {
     const Scene scene = test::read_rooms(
         "Building: House.\nWalls: 0.2 metres thick, made of brick.\n\n"

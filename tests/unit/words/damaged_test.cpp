@@ -1,4 +1,4 @@
-// Whatever a text contains, the reader must return a world or one sentence.
+// Tests that the reader returns a world or one sentence, whatever a text contains.
 #include <random>
 
 #include "tests/support/names.h"

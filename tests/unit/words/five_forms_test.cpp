@@ -1,5 +1,6 @@
-// Tests one house in five forms: an architect's model in metres and in millimetres, and a map, OpenStreetMap, a mesh
-// and room descriptions, all made from the model. Each form must have the same rooms, doors, routes and distances.
+// Tests one house in five forms. The first is an architect's model in metres and in millimetres. The others are made
+// from that model: a map, OpenStreetMap, a mesh and room descriptions. Each form must have the same rooms, doors,
+// routes and distances.
 #include <gmock/gmock.h>
 
 #include <fmt/format.h>
@@ -106,7 +107,7 @@ TEST(FiveForms, of_one_house_have_the_same_rooms_doors_routes_and_distances) {
     struct Form {
         const char* name;
         Scene scene;
-        bool states = true;  // the file states rooms and doors; in a mesh, the program finds both
+        bool states = true;  // true: the file states rooms and doors; false: the program finds both, as in a mesh
         Vec3 shift_m{0.0};   // the zero of OpenStreetMap is the middle of the drawing
         double ways_m = kSame_m;
     };
@@ -131,8 +132,8 @@ TEST(FiveForms, of_one_house_have_the_same_rooms_doors_routes_and_distances) {
             const Join &is = seen.joins[j], &meant = model.joins[j];
             EXPECT_EQ(is.places, meant.places);
             EXPECT_EQ(is.kind, form.states ? PassageKind::Door : PassageKind::Opening);
-            // If the file states no door, the program finds the narrow place. It is in the middle of the doorway's
-            // width, but may be before the wall by as much as a walker's body extends.
+            // If the file states no door, the program finds the narrow place. That place is in the middle of the
+            // doorway's width, but may be in front of the wall by up to the radius of a walker's body.
             const Vec2 off = glm::abs(is.at_m - meant.at_m);
             const double before_wall_m = form.states ? 0.0 : kHalfWall_m + kBodyRadius_m;
             EXPECT_LE(std::min(off.x, off.y), kSame_m) << form.name;

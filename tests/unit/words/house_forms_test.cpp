@@ -1,4 +1,4 @@
-// Tests the bundled house in five forms: which of its rooms, doors and distances each form preserves, to 5 cm.
+// Tests the bundled house in five forms. Compares which of its rooms, doors and distances each form preserves, to 5 cm.
 #include <gmock/gmock.h>
 
 #include <fmt/format.h>
@@ -67,8 +67,8 @@ struct Carried {
     double far_shorter_m = 0.0;
 };
 
-// The largest difference with which a route still counts as the same. On one storey it limits only shorter routes;
-// between storeys it limits both directions.
+// Greatest difference of two route lengths that are treated as the same. On one storey, only a shorter route can fail;
+// between storeys, a longer route can fail, too.
 struct Apart {
     double level_m = kSame_m, far_m = kSame_m;
 };
@@ -117,7 +117,7 @@ Carried carried(const Seen& house, const Seen& form, const Apart& apart = {}) {
     return found;
 }
 
-// The outlines are exact to 5 cm. This moves them to the exact middles of walls.
+// Moves the outlines, which are exact to 5 cm, to the exact middles of walls.
 WordsHouse on_the_middles_of_walls(WordsHouse house, const Scene& scene) {
     std::array<std::vector<double>, 2> middles;
     for (const Solid& solid : scene.solids) {
@@ -197,7 +197,7 @@ TEST(HouseForms, carry_exactly_what_each_format_supports) {
             "{:.3f} m shorter at most\n",
             name, c.rooms, c.all_rooms, c.doors, c.all_doors, c.along_m, c.across_m, c.width_m, c.ways, c.all_ways,
             c.longer_m, c.shorter_m, c.far, c.all_far, c.far_shorter_m);
-        // Each door of a form must be where it was, and no route may be shorter than before.
+        // Each door of a form must be at its original place, and no route may be shorter than in the original.
         EXPECT_LE(c.along_m, kSame_m) << name;
         EXPECT_LE(c.width_m, kSame_m) << name;
         EXPECT_LE(c.shorter_m, apart.level_m) << name;
@@ -211,8 +211,8 @@ TEST(HouseForms, carry_exactly_what_each_format_supports) {
     EXPECT_EQ(itself.rooms + itself.doors + itself.ways + itself.far,
               itself.all_rooms + itself.all_doors + itself.all_ways + itself.all_far);
 
-    // The model states its stairs, and stated stairs are checked with a narrow foot. So routes may pass them and lead
-    // over them more closely.
+    // The model states its stairs. A narrow foot is enough to walk on stated stairs, so routes may pass the stairs and
+    // lead over them more closely.
     constexpr Apart kByStairs{0.25, 1.1};
     // An architect's model must preserve everything except the pond. The pond is no space with a floor, so it becomes
     // the steps that lead into it.
@@ -231,10 +231,10 @@ TEST(HouseForms, carry_exactly_what_each_format_supports) {
     EXPECT_EQ(mesh.doors, 0);
     EXPECT_EQ(mesh.ways, mesh.all_ways);
     EXPECT_EQ(mesh.far, mesh.all_far);
-    // Plans and room descriptions enclose stairs in a separate room, so routes on the same storey lead around it. They
-    // make new stairs, so no route between storeys keeps its length. In room descriptions, the pond is sunk and becomes
-    // the steps into it, as in the model. In a plan, nobody gets into the pond. The doors of both forms are in the
-    // middle of walls, while the original leaves are at one side.
+    // Plans and room descriptions enclose stairs in a separate room, so routes on the same storey lead around that
+    // room. Both forms make new stairs, so no route between storeys keeps its length. In room descriptions, the pond is
+    // sunk and becomes the steps into it, as in the model. In a plan, nobody gets into the pond. The doors of both
+    // forms are in the middle of walls, while the original leaves are at one side.
     const Carried words = tell("words", read_words(text_of(drawn, *scene, WordLanguage::English), "house.rooms"));
     EXPECT_GE(words.rooms, words.all_rooms - 1);
     EXPECT_EQ(words.doors, words.all_doors);

@@ -110,7 +110,7 @@ inline std::string glb_of(const Scene& scene) {
     return glb;
 }
 
-// Returns the rooms extended to the middle of walls. That is half the gap between two rooms, or half of an outer wall.
+// Returns the rooms extended to the middle of walls: by half the gap between two rooms, or by half of an outer wall.
 inline WordsHouse to_the_middle_of_walls(WordsHouse house) {
     constexpr double kOuterWall_m = 0.2, kThickest_m = 0.5;
     const WordsHouse before = house;
@@ -146,8 +146,9 @@ inline std::string osm_of(const WordsHouse& house) {
         door_nodes.push_back(node(
             door.at_m, fmt::format("<tag k='door' v='{}'/><tag k='width' v='{}'/>{}", door.opening ? "no" : "hinged",
                                    door.width_m, door.rooms.size() == 1 ? "<tag k='entrance' v='main'/>" : "")));
-    // Returns references to the outline's corners and, between them, to the doors on its edges. If another room of the
-    // storey has a corner on this outline, the outline gets a corner there, too, as mappers draw it.
+    // Returns references to the outline's corners and, between the corners, to the doors on the outline's edges. If
+    // another room of the storey has a corner on this outline, the outline gets a corner there, too, as mappers draw
+    // it.
     const auto refs_of = [&](const std::vector<Vec2>& ring, std::size_t r) {
         const WordsHouse::Room& room = house.rooms[r];
         std::string refs;
@@ -202,7 +203,7 @@ inline std::string osm_of(const WordsHouse& house) {
     return "<osm version='0.6'>\n" + nodes + ways + relations + "</osm>\n";
 }
 
-// Returns the building as IFC. All solids become closed faces, leaves become doors of their size, and rooms become
+// Writes the building as IFC. All solids become closed faces, leaves become doors of their size, and rooms become
 // spaces over their outlines. Lengths are in metres or millimetres.
 class IfcOf {
 public:

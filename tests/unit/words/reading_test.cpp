@@ -231,7 +231,7 @@ TEST(RoomsInWords, are_read_from_windows_editors_and_in_latin_1) {
     EXPECT_EQ(test::box_of(*test::room_of(scene, "Küche")).first.y, 6.0);
 }
 
-// Returns the example between these two texts in a guide, as a text to read.
+// Returns the example on `page` between the texts `begin` and `end`.
 std::string example_of(const std::string& page, const std::string& begin, const std::string& end) {
     const std::string guide = test::content_of(test::project_root() / "docs" / page);
     const std::size_t from = guide.find(begin), to = guide.find(end, from);

@@ -25,7 +25,7 @@ bool overlap_flat(const Aabb& a, const Aabb& b) {
            b.min_m.y < a.max_m.y - 1e-6;
 }
 
-// Returns the distance of the thing from the middle of the nearest door.
+// Returns the distance of `thing` from the middle of the nearest door.
 double before_door(const Scene& scene, const Aabb& thing) {
     double nearest = 1e300;
     for (const StatedPortal& portal : scene.stated->portals) {
@@ -51,7 +51,8 @@ TEST(SayingsInWords, accept_german_genitives_as_names_of_rooms_and_things) {
     EXPECT_THAT(test::joins_of(scene), ::testing::Contains("door Großer Saal | Zimmer des Hausmeisters"));
 }
 
-// Most walls have a door in the middle, where the reader would otherwise place a thing against that wall.
+// Most walls have a door in the middle, where the reader would otherwise place a thing against that wall. So the reader
+// must place the thing next to the door.
 TEST(SayingsInWords, place_things_without_a_stated_place_clear_of_doors) {
     const Scene scene = test::read_rooms(
         "Building: House.\n\nHall, 7 by 5 metres. Door outside in the south wall. Door outside in the north wall.\n"
@@ -138,8 +139,8 @@ TEST(OutlinesInWords, of_adjoining_pieces_become_one_outline) {
     }
 }
 
-// These stairs are in no separate room. A walker must be able to go up and down them, whether they are straight or turn
-// back.
+// These stairs are not in a separate room. A walker must be able to go up and down the stairs, whether they are
+// straight or turn back.
 TEST(StairsInWords, from_one_room_to_another_are_walked_and_exported_again) {
     const char* texts[] = {
         "Building: House.\n\nStorey: Ground, 3 metres high.\n\nHall, 6 by 8 metres. Door outside in the south wall.\n"

@@ -1,4 +1,4 @@
-// Buildings as room descriptions for tests, and what the reader makes of them.
+// Provides buildings as room descriptions for tests, and what the reader makes of them.
 #pragma once
 
 #include <gtest/gtest.h>

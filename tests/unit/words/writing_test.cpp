@@ -105,7 +105,7 @@ void expect_same_building(const Scene& before, const Scene& after, const std::st
         EXPECT_NEAR(again.floor_m, room.floor_m, 1e-3) << room.name << text;
         EXPECT_LT(glm::length(test::box_of(again).first - test::box_of(room).first), 1e-3) << room.name << text;
     }
-    // Each door must be where it was.
+    // Each door must be at its original place.
     for (const StatedPortal& portal : before.stated->portals) {
         double nearest = 1e9;
         for (const StatedPortal& other : after.stated->portals)
@@ -132,7 +132,8 @@ TEST(WrittenInWords, random_buildings_are_read_back_with_the_same_rooms_and_door
     }
 }
 
-// The rooms by name and what joins them. A written staircase is a room on each storey, but counts here as one room.
+// The rooms by name and what joins them. A written staircase is a room on each storey, but this graph contains it as
+// one room.
 struct Graph {
     std::set<std::string> rooms;
     std::multiset<std::string> joins;
@@ -223,7 +224,7 @@ TEST(WrittenInWords, a_drop_and_a_lift_can_be_used_after_reading_in_both_languag
         const Vec3 above(4.0, 2.0, 0.0), below(6.0, 2.0, -0.5);
         EXPECT_FALSE(space->straight(above, below));
         EXPECT_FALSE(space->straight(below, above));
-        // The text that is written again must also contain the drop and the lift.
+        // If the world is written again, the text must also contain the drop and the lift.
         for (const WordLanguage language : {WordLanguage::English, WordLanguage::German}) {
             const bool german = language == WordLanguage::German;
             const std::string written = text_of(stated_house(scene, language), scene, language);
