@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Checks sources with clang-tidy and .clang-tidy:
-#   tests/tidy.sh              those that are changed and not committed, or that the last 30 commits changed: the newest 150
-#   tests/tidy.sh all          every one of the program
-#   tests/tidy.sh FILE...      these
-# A header stands for the source of its name. Each source is read alone (build/tidy: no unity build, no precompiled headers).
+#   tests/tidy.sh              sources with uncommitted changes or changed by the last 30 commits; the newest 150
+#   tests/tidy.sh all          every source of the program
+#   tests/tidy.sh FILE...      the given sources
+# A header stands for the source with the same name. Each source is compiled alone: build/tidy has no unity build and no
+# precompiled headers.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 cmake --preset release -B build/tidy -DHANDRAIL_TESTS=OFF -DCMAKE_UNITY_BUILD=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >build/tidy.log || { cat build/tidy.log; exit 1; }

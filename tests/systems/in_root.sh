@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# Builds and tests Handrail in an empty Debian of another version: ./run house, then ./run tests. Prints one line.
-#   in_root.sh bookworm|trixie|testing [COMMAND...]    COMMAND: what to run instead, for example ./run package
-# HANDRAIL_ROOTS     the folder of the roots, default build/systems; 6 GB each. A root and its compiler cache stay for next time.
-# HANDRAIL_PRESET    what to build with; default gcc in trixie, else release
-# Needs root, debootstrap and the network. Exit status 0: passed; 1: failed; 2: wrong use; 77: there can be no such root here.
+# Builds and tests Handrail in an empty Debian of another version, with ./run house and then ./run tests. Prints one
+# line with the result.
+#   in_root.sh bookworm|trixie|testing [COMMAND...]    COMMAND: run this instead, for example ./run package
+# HANDRAIL_ROOTS     the folder of the roots, by default build/systems. Each root needs 6 GB and stays for the next run, as
+#                    does its compiler cache.
+# HANDRAIL_PRESET    the preset for the build, by default gcc in trixie and release elsewhere
+# Needs root, debootstrap and the network. Exit status 0: passed; 1: failed; 2: wrong use; 77: the script cannot make such a root here.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 source "$here/tests/systems/empty_root.sh"
@@ -29,8 +31,9 @@ if [ "${inside_root:-}" != yes ]; then
         said=$(make_root "$system" "$root" "$folder/debootstrap.log") || skip "$said"
         touch "$folder/made"
     fi
-    # The tracked files, by which tests know the project. What differs gets the time of now, so that it is built again: the
-    # times of another tree could be older than what was built from different contents.
+    # Copies the tracked files into a Git repository, because tests ask Git for the project's files. A file that differs
+    # gets the current time, so that it is built again: its time in this tree could be older than a build of another
+    # version of it.
     mkdir -p "$project"
     git -C "$project" init -q
     tracked=$(git -C "$here" ls-files | sort)

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Scripted sessions for comparing two versions of the program: every command, twice, in the order of the table and then in an order drawn from a seed, in
-# each world, in English and in German, with no device and with a simulated hand that touches what is around. Writes the scenario files to OUT/scenarios,
-# plays them with the program PROGRAM, and leaves what was said, played and felt in OUT/texts. Two versions behave alike where `diff -r` of their texts
-# says nothing.
-#   tests/transcripts/make.sh OUT PROGRAM [WORLD ...]      worlds: house.map and school.map unless given; SEED=1
+# Plays scripted sessions, so that you can compare two versions of the program. The sessions give every command twice:
+# first in the order of the table, then in a random order that SEED determines. They do so in each world, in English and
+# in German, without a device and with a simulated hand that touches nearby things. The script writes the scenario files
+# to OUT/scenarios and plays them with PROGRAM. It writes what was announced, played and felt to OUT/texts. Two versions
+# behave alike if `diff -r` finds no difference between their texts.
+#   tests/transcripts/make.sh OUT PROGRAM [WORLD ...]      by default house.map and school.map; SEED is 1 by default
 set -euo pipefail
 out=$(realpath -m "$1") program=$(realpath "$2")
 shift 2
@@ -16,10 +17,11 @@ mapfile -t commands < <(grep -rhoE 'CommandInfo\{Command::\w+, "[a-z-]+"' --incl
 ((${#commands[@]} > 80)) || { echo "The table of commands was not found." >&2; exit 1; }
 mkdir -p "$out/scenarios" "$out/home"
 
-# One command, and time to answer; a list that it opens is gone through and one line of it is taken, now and then closed instead.
+# Gives one command and waits for the answer. If the command opens a list, goes through the list and chooses one line, or
+# sometimes closes the list instead.
 act() {
     case $1 in
-        leave | calibrate) return ;;  # they end the session or leave it to the set-up
+        leave | calibrate) return ;;  # these commands end the session or start the set-up
         forward | back | left | right | hand-* | workspace-* | tilt-* | trail-left | trail-right | retrace | free-*) printf '[[do]]\nhold = "%s"\nfor_s = %s\n' "$1" "$2" ;;
         *) printf '[[do]]\npress = "%s"\n' "$1" ;;
     esac

@@ -49,6 +49,6 @@ while touch.contacts == 0:
     at[0] += 0.0005
     tick()
 at[0] = touch.ball_m[0] + 0.0001
-for _ in range(2000):  # the force comes in within the first thousand
+for _ in range(2000):  # the force reaches its full value within the first thousand ticks
     tick()
 print(f"{math.sqrt(sum(part * part for part in touch.force_n)):.17g}")
