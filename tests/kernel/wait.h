@@ -18,7 +18,7 @@ bool wait_until(Condition&& condition, std::chrono::seconds allowed = std::chron
     return false;
 }
 
-// Waits for the first HID device of this maker and opens it.
+// Waits for the first HID device of the maker `vendor` and opens it.
 inline std::unique_ptr<HidLink> open_hid(std::uint16_t vendor) {
     std::unique_ptr<HidLink> link;
     wait_until([&] {

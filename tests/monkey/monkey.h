@@ -45,8 +45,8 @@ class Monkey {
 public:
     Monkey(std::uint32_t seed, std::vector<std::shared_ptr<const Scene>> worlds);
 
-    // Performs one random action and lets a little time pass. Returns false at the first violation, which fault() then
-    // describes.
+    // Performs one random action and lets a little time pass. Returns false at the first violation of a rule; fault()
+    // then describes the violation.
     bool act();
     const std::string& fault() const { return fault_; }
     // Returns the last actions and the last announcements, for the analysis of a fault.

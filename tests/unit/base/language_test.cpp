@@ -17,7 +17,7 @@ void write(const std::filesystem::path& path, std::string_view content) {
 }
 
 TEST(SpokenTime, is_formatted_as_people_write_it) {
-    // When it is noon in UTC, nearly every time zone has this same day.
+    // When it is noon in UTC, the date is the same in nearly every time zone.
     EXPECT_EQ(day_words("2026-11-02T12:00:00Z"), "2 November 2026");
     EXPECT_TRUE(std::regex_match(day_and_time_words("2026-11-02T12:00:00Z"), std::regex("2 November 2026, ..:..")))
         << day_and_time_words("2026-11-02T12:00:00Z");

@@ -55,7 +55,7 @@ TEST(SteadyClock, never_goes_back_and_sleepers_do_not_wake_early) {
     const double until = clock.now_s() + 0.002;
     clock.sleep_until_s(until);
     EXPECT_GE(clock.now_s(), until - 1e-6);
-    clock.sleep_until_s(until - 10.0);  // a time in the past, so this returns immediately
+    clock.sleep_until_s(until - 10.0);  // a time in the past, so sleep_until_s() returns immediately
 }
 
 }  // namespace result_test

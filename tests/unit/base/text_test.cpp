@@ -71,7 +71,7 @@ TEST(IsUtf8, accepts_every_valid_length_and_refuses_every_kind_of_damage) {
 TEST(OneLine, removes_only_unspeakable_characters_and_terminal_controls) {
     EXPECT_EQ(one_line("T\xC3\xBCr, \xE2\x82\xAC 5, \xC2\xA0x"), "T\xC3\xBCr, \xE2\x82\xAC 5, \xC2\xA0x");
     EXPECT_EQ(one_line(std::string("a\0b\n\tc\x1B[2J\x7F", 11)), "a b  c [2J ");
-    EXPECT_EQ(one_line("a\xC2\x9Bz"), "a z");  // this single character also begins a terminal escape sequence
+    EXPECT_EQ(one_line("a\xC2\x9Bz"), "a z");  // the single character U+009B also begins a terminal escape sequence
     EXPECT_EQ(one_line("\xFFx\xC3"), "\xEF\xBF\xBDx\xEF\xBF\xBD");
     EXPECT_EQ(one_line(""), "");
 }

@@ -1,5 +1,5 @@
-// A wall lacks a door. The tests find and cut the missing door, send the walker and the hand through it, save it in the
-// world's side file and remove it again.
+// Tests a wall that lacks a door. Finds and cuts the missing door, sends the walker and the hand through it, saves it
+// in the world's side file and removes it again.
 #include "worlds/check/missing_doors.h"
 
 #include <gmock/gmock.h>

@@ -86,13 +86,13 @@ TEST_F(EveryProperty, each_effect_is_felt_as_its_keys_say) {
 }
 
 TEST_F(EveryProperty, soft_sides_yield_as_their_keys_say) {
-    // A cushion with its top at 1 m, which is soft down to 0.4 m. Its stiffness is a quarter of 1,000 N/m at first.
-    // While the hand rests, the force relaxes to about two thirds.
+    // Tests a cushion with its top at 1 m, which is soft down to 0.4 m. Its stiffness is a quarter of 1,000 N/m at
+    // first. While the hand rests, the force relaxes to about two thirds.
     const double radius = TouchTuning{}.radius_m;
     EXPECT_NEAR(felt({17, 3, 1.0 + radius - 0.004}).z, 250.0 * 0.004, 0.02);
     EXPECT_NEAR(felt({17, 3, 1.0 + radius - 0.004}, 5000).z, 250.0 * 0.004 * 0.64, 0.1);
     EXPECT_EQ(felt({17, 3, 1.0 + radius + 0.001}), Vec3(0.0));
-    // Clay, with its south side at y = 2. It has 400 N/m up to half a newton and yields above that.
+    // Tests clay with its south side at y = 2. The clay has 400 N/m up to half a newton and yields above that force.
     EXPECT_NEAR(felt({21, 2.0 - radius + 0.001, 1}).y, -400.0 * 0.001, 0.01);
     EXPECT_LT(std::abs(felt({21, 2.0 - radius + 0.02, 1}, 300).y), 3.5)
         << "it has given way, and 8 newtons would be the spring's";

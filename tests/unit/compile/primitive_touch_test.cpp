@@ -65,7 +65,7 @@ TEST(CompileHaptic, moved_turned_and_scaled_shapes_push_like_the_transformed_ori
         for (int i = 0; i < 12; ++i) way.emplace_back(0.06 * part(), 0.06 * part(), 0.06 * part());
         way.emplace_back(0, 0, 0.09);
         const std::vector<Vec3> goals = hand_path(way, 0.2);
-        // The hand's tuning is scaled with the world, so that the hand takes the corresponding path in both scenes.
+        // The hand's tuning is scaled with the world, so that the hand follows the corresponding path in both scenes.
         TouchTuning tuning, scaled_tuning;
         tuning.slide_cap_hand_m = scaled_tuning.slide_cap_hand_m = 1.0;
         tuning.default_friction_static = tuning.default_friction_kinetic = scaled_tuning.default_friction_static =

@@ -1,5 +1,5 @@
-// A confined process attempts forbidden operations. Each attempt runs in a separate child process, because confinement
-// cannot be undone.
+// Tests that a confined process cannot perform forbidden operations. Each attempt runs in a separate child process,
+// because confinement cannot be undone.
 #include "worlds/confine/confine.h"
 
 #include <arpa/inet.h>

@@ -727,7 +727,7 @@ TEST_F(CuePlannerTest, keeps_the_last_500_lines) {
 
 TEST_F(CuePlannerTest, speaks_no_name_for_unnamed_things_and_works_without_a_world) {
     begin(kNameless);
-    begin(4711);  // this number does not exist in the world
+    begin(4711);  // the world has no feature with this number
     wait(0.1);
     CuePlanner empty{Settings{}};
     const std::vector<ContactEvent> touch{event(ContactEventKind::Begin, kNorth)};

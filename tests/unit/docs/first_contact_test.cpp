@@ -1,4 +1,4 @@
-// README.md shows the first minute of a session. Plays that minute from its scenario and compares it with the page. If
+// Plays the first minute of a session from its scenario, and compares it with README.md, which shows that minute. If
 // HANDRAIL_WRITE_TRANSCRIPTS is set, writes the page instead.
 #include <cmath>
 #include <cstdlib>

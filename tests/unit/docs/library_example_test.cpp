@@ -1,5 +1,4 @@
-// README.md shows five lines that use the library. Compiles and runs the same lines here, and compares them with the
-// page.
+// Compiles and runs the five lines of README.md that use the library, and compares them with the page.
 #include <cmath>
 #include <fstream>
 #include <sstream>

@@ -38,7 +38,7 @@ TEST(DynamicsCost, prints_the_cost_of_a_step) {
         std::vector<double> took;
         std::uint32_t awake = 0;
         for (int i = 0; i < scaled(480); ++i) {
-            for (std::uint32_t b = 0; b < bodies; ++b) {  // this prevents the bodies from falling asleep
+            for (std::uint32_t b = 0; b < bodies; ++b) {  // the pushes prevent the bodies from falling asleep
                 HandPush push;
                 push.time_s = engine.time_s();
                 push.dt_s = Dynamics::kStep_s;

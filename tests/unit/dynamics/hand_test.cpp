@@ -292,7 +292,7 @@ TEST(BodiesInReach, pushed_in_a_row_or_a_stack_never_pass_through_each_other) {
     BodyWorldMaker world;
     world.floor();
     for (int i = 0; i < 3; ++i) world.body(box_of(0.15), Vec3(0.31 * i, 0, 0.15), nature(1.0, 0.3));
-    world.body(box_of(0.15), Vec3(0, 0, 0.45), nature(1.0, 0.3));  // this body stands on the first one
+    world.body(box_of(0.15), Vec3(0, 0, 0.45), nature(1.0, 0.3));  // the second body stands on the first one
     HandSetup setup;
     setup.origin_m = Vec3(-0.15 - 0.04 - 0.02, 0, 0.12);
     BodyRig rig(world, {setup});

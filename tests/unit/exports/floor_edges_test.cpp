@@ -52,7 +52,7 @@ int lines_along(const SwellSheet& sheet, const Vec2& from_m, const Vec2& to_m) {
 TEST(FloorEdges, are_rows_of_short_lines_where_no_wall_is) {
     Storey storey = two_rooms();
     storey.things.clear();
-    storey.walls_m.erase(storey.walls_m.begin() + 1);  // this removes the north wall
+    storey.walls_m.erase(storey.walls_m.begin() + 1);  // removes the north wall
     find_beyond(storey);
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
     ASSERT_TRUE(sheet);

@@ -437,7 +437,7 @@ TEST(SwellSheet, gives_a_small_room_one_letter_and_describes_where_an_even_small
     EXPECT_NE(none->plan.text.find("Room 12: not labelled on the plan. It leads to: Kitchen."), std::string::npos)
         << none->plan.text;
     EXPECT_TRUE(none->broken.empty()) << none->broken[0];
-    // If two such rooms have no sign, nobody can tell which is which.
+    // If two rooms of this size have no sign, nobody can tell which is which.
     Storey both = two_rooms();
     both.rooms.push_back(both.rooms[1]);
     both.rooms[1].loops_m = {{{6.45, 0.25}, {8.95, 0.25}, {8.95, 1.75}, {6.45, 1.75}}};
@@ -733,7 +733,7 @@ TEST(SwellSheet, states_between_which_rooms_it_is_drawn_closed) {
 
 TEST(SwellSheet, states_which_floors_end_without_a_wall) {
     Storey storey = two_rooms();
-    storey.walls_m.erase(storey.walls_m.begin() + 1);  // this removes the north wall
+    storey.walls_m.erase(storey.walls_m.begin() + 1);  // removes the north wall
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
     ASSERT_TRUE(sheet);
     EXPECT_TRUE(says(*sheet, "Floors that end without a wall, but have no lines there: Kitchen; Room 12."))

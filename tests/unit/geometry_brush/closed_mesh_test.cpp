@@ -122,7 +122,7 @@ TEST(SolidsWithin, fill_a_ring_without_its_hole) {
 }
 
 TEST(SolidsWithin, cut_round_shapes_into_parts_with_few_sides) {
-    BlockMesh ball;  // this makes a sphere with 24 by 24 faces
+    BlockMesh ball;  // the loop makes a sphere with 24 by 24 faces
     constexpr int kSides = 24;
     for (int i = 0; i <= kSides; ++i)
         for (int k = 0; k < kSides; ++k) {

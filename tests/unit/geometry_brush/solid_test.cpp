@@ -95,7 +95,7 @@ TEST(SolidFromPlanes, distinguishes_open_empty_and_inside_out) {
     planes.pop_back();
     EXPECT_EQ(solid_from_planes(planes, {0, 0, 0}, 100.0).fault, SolidFault::Open);
     planes = box_planes({0, 0, 0}, {1, 1, 1});
-    planes.push_back({{1, 0, 0}, -5.0});  // this plane cuts everything away
+    planes.push_back({{1, 0, 0}, -5.0});  // a plane that cuts everything away
     EXPECT_EQ(solid_from_planes(planes, {0, 0, 0}, 100.0).fault, SolidFault::Empty);
     EXPECT_EQ(solid_from_planes({}, {0, 0, 0}, 100.0).fault, SolidFault::Empty);
     std::vector<Plane> turned = box_planes({0, 0, 0}, {1, 1, 1});

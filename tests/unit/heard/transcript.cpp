@@ -15,8 +15,9 @@ constexpr double kHz = 48000.0;
 // The search first uses 4 kHz over 15 s, then 16 kHz around the place that it found.
 constexpr std::size_t kCoarse = 12, kFine = 3;
 constexpr double kSearched_s = 15.0, kBeginning_s = 0.6, kPiece_s = 0.25;
-constexpr double kAlike = 0.5;        // least correlation of a piece with the mix; the mix includes the sounds
-constexpr double kSilence = 1e-3;     // mix energy, relative to the line's, below which a place counts as silent
+constexpr double kAlike = 0.5;  // least correlation of a piece with the mix; the mix includes the sounds
+// If the mix has less energy than this fraction of the line's energy, the mix is treated as silent there.
+constexpr double kSilence = 1e-3;
 constexpr double kQuiet_db = -30.0;   // a piece that is this much quieter than the loudest piece is a pause
 constexpr double kShareInFull = 0.9;  // share of the pieces that must be heard; a sound may cover the others
 

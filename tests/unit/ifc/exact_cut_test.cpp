@@ -123,7 +123,8 @@ TEST(ExactCuts, leave_untouched_parts_bit_identical) {
     EXPECT_TRUE(common->empty());
 }
 
-// The sides of the skin were cut without regard to their neighbours. Then two solids are subtracted from it.
+// The sides of the skin were cut without regard to the neighbouring sides. Then two solids are subtracted from the
+// skin.
 TEST(ExactCuts, subtract_two_things_from_a_hollow_skin) {
     Ring3 outer;
     outer.corners = 16;

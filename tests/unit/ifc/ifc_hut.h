@@ -73,7 +73,7 @@ public:
                              "," + ref(shape) + ",$" + more + ")"));
         return parts_.back();
     }
-    // Adds a space to the storey with this index.
+    // Adds a space to the storey with index `storey`.
     void space(const std::string& name, int item, int placement = kPlacement, int storey = 0) {
         const int made = part("IFCSPACE", name, item, {}, placement);
         parts_.pop_back();

@@ -697,7 +697,7 @@ TEST(DoorsOfIfc, without_names_are_described_in_whole_sentences) {
         const int wall = hut.part("IFCWALL", "South", hut.block({0.0, 0.0, 0.0}, {6.0, 0.3, 3.0}), ",$");
         const int door = hut.part("IFCDOOR", name, hut.block({2.0, 0.1, 0.0}, {3.0, 0.15, 2.1}), ",2.1,1.,.DOOR.,$,$");
         hut.opening(wall, hut.block({2.0, 0.0, 0.0}, {3.0, 0.3, 2.1}), door);
-        hut.part("IFCWALL", name, hut.block({2.0, 0.1, 0.0}, {3.0, 0.2, 2.1}), ",$");  // this wall blocks the doorway
+        hut.part("IFCWALL", name, hut.block({2.0, 0.1, 0.0}, {3.0, 0.2, 2.1}), ",$");  // a wall that blocks the doorway
         const Scene scene = hut.scene();
         std::string said;
         for (const Diagnostic& warning : scene.report.warnings) said += warning.message + "\n";
@@ -714,7 +714,8 @@ TEST(DoorsOfIfc, without_names_are_described_in_whole_sentences) {
     }
 }
 
-// An open surface encloses no volume, so the report compares it by its faces. It counts the faces that cannot be read.
+// An open surface encloses no volume, so the report compares the surface by its faces. The report counts the faces that
+// cannot be read.
 TEST(MissingParts, are_reported_for_open_skins_and_lost_faces) {
     for (const bool damaged : {false, true}) {
         SCOPED_TRACE(damaged);

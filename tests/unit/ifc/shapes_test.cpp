@@ -99,7 +99,7 @@ TEST(Prism, keeps_the_area_of_any_outline) {
         std::vector<Ring> rings;
         if (round % 4 == 0) rings.push_back(sliver(random));
         else rings.push_back(outline_around(random, {share(random), share(random)}, 2.5, 15.0, round % 4 == 3 ? 6 : 3));
-        // This outline becomes a hole.
+        // The second outline becomes a hole.
         if (round % 4 == 3) rings.push_back(outline_around(random, {0.5, 0.5}, 0.05, 0.4, 3));
         if (round % 3 == 0) std::reverse(rings.front().begin(), rings.front().end());
         double right_m2 = std::abs(signed_area(rings.front()));
@@ -108,7 +108,7 @@ TEST(Prism, keeps_the_area_of_any_outline) {
         const double angle = round % 5 == 0 ? 0.0 : 2.0 * kPi * share(random);
         frame.x = {std::cos(angle), std::sin(angle), 0.0};
         frame.y = {-std::sin(angle), std::cos(angle), 0.0};
-        if (round % 7 == 0) frame.y = -frame.y;  // this makes the frame a mirror image
+        if (round % 7 == 0) frame.y = -frame.y;  // makes the frame a mirror image
         const double high_m = round % 2 ? 0.25 : -3.0;
         double held_m3 = 0.0;
         for (const Ring& part : convex_parts(rings)) {

@@ -205,8 +205,8 @@ TEST(SmallHouse, exported_by_another_program_has_the_same_rooms_doors_joins_and_
 }
 
 TEST(SmallHouse, joins_rooms_with_a_border_but_no_wall_in_the_file) {
-    // Both rooms reach to the middle of the wall between them. The file exists with the wall, without it, and with the
-    // wall and a virtual border.
+    // Both rooms reach to the middle of the wall between them. The test uses three variants of the file: with the wall,
+    // without the wall, and with the wall and a virtual border.
     std::string walled = test::small_house();
     for (const char* corner : {"#159=IFCCARTESIANPOINT((3.95,0.))", "#160=IFCCARTESIANPOINT((3.95,4.))",
                                "#168=IFCCARTESIANPOINT((4.05,0.))", "#171=IFCCARTESIANPOINT((4.05,4.))"})
@@ -281,7 +281,8 @@ TEST(SmallHouse, gets_assumed_wall_materials_which_are_reported) {
 
 TEST(SmallHouse, keeps_its_place_if_its_site_is_thousands_of_kilometres_away) {
     const std::string text = test::small_house();
-    // Only this placement is below the site. Its point moves to a place near Karlsruhe in Gauss-Krueger metres.
+    // Among the placements, only this one is below the site. Its point moves to a place near Karlsruhe in Gauss-Krueger
+    // metres.
     const std::size_t line = text.find("=IFCLOCALPLACEMENT($,#");
     ASSERT_NE(line, std::string::npos);
     const std::string axis = text.substr(line + 22, text.find(')', line) - line - 22);

@@ -20,7 +20,8 @@ namespace ifc_oracle_test {
 namespace fs = std::filesystem;
 
 constexpr double kSamePlace_m = 2e-3, kSameVolume = 0.01, kLeastVolume_m3 = 1e-6;
-// Tolerances, because both readings approximate circles with different numbers of sides.
+// Tolerances of lengths and volumes. They are needed because the two readings approximate circles with different
+// numbers of sides.
 constexpr double kRound_m = 5e-3, kRoundVolume = 0.03;
 
 struct OurPart {
@@ -72,8 +73,8 @@ double apart_m(const Aabb& a, const Aabb& b) {
     return std::max({apart.x, apart.y, apart.z});
 }
 
-// Returns whether Handrail omits this kind: kinds that are not needed for touch, and rafters or studs that belong to no
-// assembly.
+// Returns whether Handrail omits parts of the class `kind`. Those are parts that are not needed for touch, and rafters
+// or studs that belong to no assembly.
 bool is_left_out(const std::string& kind) {
     static const std::set<std::string> kinds{"IfcSite",           "IfcBuilding", "IfcBuildingStorey", "IfcAnnotation",
                                              "IfcVirtualElement", "IfcGrid",     "IfcMember",         "IfcPlate"};

@@ -138,7 +138,7 @@ TEST(LightTouch, responds_to_the_smallest_movement_and_does_not_amplify_noise) {
         const TiltedWall wall(seed);
         TouchTuning tuning = rubbing(mu, mu);
         TouchState state;
-        const double depth_m = 0.5e-3;  // this depth gives half a newton
+        const double depth_m = 0.5e-3;  // at this depth, the force is half a newton
         const auto force_at = [&](double deep_m, double way_m) {
             return wall.motion.back(
                 touch_tick(state, *wall.scene, tuning, wall.to_world({tuning.radius_m - deep_m, way_m, 0.0}), 1e-3)

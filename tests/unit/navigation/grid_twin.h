@@ -25,8 +25,8 @@ public:
 
     // Adds all squares to the grid that a walker can reach from `feet_m`. Returns true if a walker can stand there.
     bool flood_from(const Vec3& feet_m);
-    // Returns the distances in metres from `from_m` to all of `to_m`; empty for a place that the walker cannot reach. A
-    // lift ride counts as its height.
+    // Returns the distances in metres from `from_m` to all of `to_m`; empty for a place that the walker cannot reach.
+    // The length of a lift ride is its height.
     std::vector<std::optional<double>> lengths(const Vec3& from_m, const std::vector<Vec3>& to_m) const;
     std::size_t size() const { return places_.size(); }
     // Returns the index of the nearest square within 2 m of `feet_m`; -1 if there is none.
@@ -58,7 +58,7 @@ inline std::vector<Vec3> from_on(const std::vector<Vec3>& places, std::size_t fi
     return {places.begin() + static_cast<std::ptrdiff_t>(first), places.end()};
 }
 
-// Returns the length of a route. A lift ride counts as its height.
+// Returns the length of a route. The length of a lift ride is its height.
 double length_with_rides_m(const Route& route);
 
 // Returns the scene without its door leaves.

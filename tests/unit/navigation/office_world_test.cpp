@@ -1,4 +1,4 @@
-// Checks that the generated office buildings are as described, before other tests measure anything in them.
+// Checks that the generated office buildings are as described, so that other tests can rely on them.
 #include <set>
 
 #include "tests/support/box_scene.h"

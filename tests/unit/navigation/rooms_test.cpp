@@ -344,7 +344,7 @@ TEST(Rooms, list_their_exits_clockwise) {
     const Vec3 places[] = {{0, 5, 0}, {-5, 0, 0}, {5, 0, 0}, {0, -5, 0}};
     for (std::uint32_t p = 0; p < 4; ++p)
         graph.portals.push_back({PassageKind::Opening, {0, p + 1}, places[p], 1.0, kNoFeature, false});
-    // This drop leads only into room 0.
+    // This drop is passable only into room 0.
     graph.portals.push_back({PassageKind::Drop, {1, 0}, {1, 1, 0}, 1.0, kNoFeature, true});
     EXPECT_EQ(exits_of(graph, 0, {0, 0, 0}, 0.0), (std::vector<std::uint32_t>{0, 2, 3, 1}));
     EXPECT_EQ(exits_of(graph, 0, {0, 0, 0}, kPi), (std::vector<std::uint32_t>{3, 1, 0, 2}));

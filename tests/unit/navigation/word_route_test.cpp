@@ -136,13 +136,13 @@ TEST(BlindGround, slides_a_body_into_the_doorway_whose_frame_it_met_and_into_no_
             }
         }
     }
-    // A gap of three metres is no doorway. It must stop a walker that meets its corner.
+    // A gap of three metres is not a doorway. If a walker hits its corner, the walker must stop.
     SceneBuilder wide = two_rooms(5.0, 3.0);
     const Room room = room_of(wide);
     EXPECT_FALSE(room.ground->line_up_m(at(room, 3.4, 4.6), 0.0, {}));
 }
 
-// Searches for the doorway in a simple way, in a world without doors. This reference walker takes each stride in full
+// Searches for the doorway in a simple way, in a world without doors. This reference walker makes each stride in full
 // and checks the borders of its cell.
 struct PlainStrides {
     const WalkSpace& space;
@@ -264,7 +264,7 @@ TEST(DirectionsRoute, passes_a_doorway_with_walking_errors_in_a_few_legs) {
     }
 }
 
-// A doorway between two rooms belongs to neither outline, although its floor counts as part of one of the rooms.
+// A doorway between two rooms is in neither outline, although its floor belongs to one of the rooms in the room graph.
 TEST(DirectionsRoute, ends_within_the_outline_that_the_file_states_for_a_room) {
     SceneBuilder b = two_rooms(5.0);
     const Room room = room_of(b);

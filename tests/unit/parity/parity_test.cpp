@@ -1,4 +1,4 @@
-// Handrail succeeds a plugin. Compares the plugin's interface with Handrail's, line by line of the list in
+// Compares Handrail's interface with that of the plugin that Handrail succeeds, line by line of the list in
 // docs/developer/adding.md, and calls every function of the list.
 #include <algorithm>
 #include <functional>

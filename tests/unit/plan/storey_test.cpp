@@ -202,8 +202,8 @@ TEST(StoreyPlan, contains_no_unreachable_room_on_an_outside_ledge) {
     EXPECT_EQ(floor_at(plans.storeys[0], {4.5, 4.6}), kNothing);
 }
 
-// Returns a hall with wide steps along its middle, 0.2 m high and 1 m deep. They lead up to a gallery at 2 m with walls
-// on either side. `first_step_m` is the height of the first step.
+// Returns a hall with wide steps along its middle, 0.2 m high and 1 m deep. The steps lead up to a gallery at 2 m with
+// walls on either side. `first_step_m` is the height of the first step.
 Scene hall_with_wide_steps(double first_step_m) {
     SceneBuilder build;
     const auto wall = [&](double x0, double y0, double x1, double y1) {

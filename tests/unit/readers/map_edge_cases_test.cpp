@@ -222,7 +222,7 @@ TEST(MapEdgeCases, a_missing_brace_costs_at_most_one_brush) {
                 ElementsAre(HasSubstr("the file ends inside the entity that begins in line 1. A "
                                       "closing brace is missing. Everything that was complete was kept.")));
     std::string open = whole;
-    open.erase(open.find("}\n"), 2);  // this removes the brace of the first brush
+    open.erase(open.find("}\n"), 2);  // removes the brace of the first brush
     const Reading reading = read(open);
     EXPECT_EQ(reading.scene.solids.size(), 3U);
     EXPECT_THAT(reading.said, ElementsAre(HasSubstr("the brush that begins in line 3 has no "
@@ -347,7 +347,7 @@ TEST(MapEdgeCases, guessing_of_materials_can_be_switched_off_without_changing_th
 TEST(MapEdgeCases, coincident_duplicate_brushes_are_felt_once_and_reported) {
     const std::string wall = box_brush(0, 0, 0, 128, 16, 96, "brick1"),
                       other = box_brush(0, 0, 0, 128, 16, 97, "brick1");
-    std::string turned = wall;  // this wall has the same faces in another order and with another texture
+    std::string turned = wall;  // a wall with the same faces in another order and with another texture
     const std::size_t first = turned.find('('), second = turned.find('\n', first) + 1;
     turned.insert(turned.rfind('}'), turned.substr(first, second - first));
     turned.erase(first, second - first);

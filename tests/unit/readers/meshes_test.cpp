@@ -19,8 +19,8 @@ std::string seed(const std::string& path) {
 }
 
 TEST(ReadGltf, turns_y_up_into_z_up_and_places_things_as_the_file_says) {
-    // A cube of 1 m, scaled to twice its width. It is moved 1 m east and 2 m along the file's z axis, which points
-    // south.
+    // The file contains a cube of 1 m, scaled to twice its width. The cube is moved 1 m east and 2 m along the file's z
+    // axis, which points south.
     const Result<Scene> scene = read_gltf(seed("gltf/seeds/table.glb"), "table.glb");
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
     EXPECT_EQ(scene->report.format, "gltf");

@@ -45,7 +45,7 @@ TEST(Units, get_a_warning_if_the_world_would_be_wider_than_2_km_or_narrower_than
     EXPECT_EQ(first_warning(60'000, 40'000, known), "");
 }
 
-// Returns a closed box with these corners in units, as `g name`.
+// Returns a closed box between the corners `min` and `max` in units, as the group `name` of an OBJ file.
 std::string box_of(const std::string& name, const Vec3& min, const Vec3& max) {
     std::string text = "g " + name + "\n";
     for (int i = 0; i < 8; ++i)

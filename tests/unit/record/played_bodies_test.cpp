@@ -234,7 +234,8 @@ TEST(PlayedBodies, with_a_missing_step_or_tick_fail_and_never_hang) {
     failed = false;
     (void)computed(world, lacks, failed);
     EXPECT_TRUE(failed) << "the end";
-    // These rows contain random numbers that no program wrote. Whatever the results are, the computation must end.
+    // The rows of this recording contain random numbers that no program wrote. Whatever the results are, the
+    // computation must end.
     std::mt19937_64 draw(3);
     for (int round = 0; round < 8; ++round) {
         lacks = whole;

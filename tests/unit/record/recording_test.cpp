@@ -219,7 +219,7 @@ TEST(Recording, of_another_kind_or_a_newer_version_is_refused_with_file_and_line
                   "events.jsonl, line 1: This file does not begin like a recording. A recording begins with a line "
                   "that says what it is.");
     }
-    // If a number fits in no integer, its conversion is undefined behaviour. So the reader must refuse such numbers
+    // If a number fits in no integer, converting it is undefined behaviour. So the reader must refuse such numbers
     // before it converts them.
     std::string head = test::content_of(test::project_root() / "tests/fuzz/inputs/recording/seeds/events.jsonl");
     ASSERT_TRUE(read_events(head, "events.jsonl"));

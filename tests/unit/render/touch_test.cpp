@@ -28,7 +28,7 @@ TouchResult hold(TouchState& state, const HapticScene& scene, const TouchTuning&
     return result;
 }
 
-// Moves the hand straight down onto the floor at 0.1 m/s and then holds it.
+// Moves the hand straight down onto the floor at 0.1 m/s, to `depth_m`, and then holds the hand there.
 TouchResult press_floor(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, double depth_m) {
     TouchResult result;
     for (double z = 0.02; z > -depth_m; z -= 1e-4) result = touch_tick(state, scene, tuning, {0, 0, z}, kTick_s);
@@ -270,7 +270,7 @@ TEST(TouchTick, never_reenters_a_solid_that_the_ball_but_not_the_hand_has_left) 
     EXPECT_EQ(r.contacts.contacts[0].feature, kFloor);
 }
 
-// This is case T20 of tests/property/bodies_test.cpp.
+// Tests case T20 of tests/property/bodies_test.cpp.
 TEST(TouchTick, starts_with_a_small_ball_in_a_tight_place_and_grows_it_smoothly) {
     const auto scene = floor_and_wall();
     TouchState state;

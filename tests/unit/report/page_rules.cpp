@@ -61,7 +61,7 @@ Page parsed(std::string_view html) {
             element.attributes[(*it)[1]] = (*it)[2];
         page.elements.push_back(element);
         if (!closed && !kVoid.contains(element.name)) open.push_back(page.elements.size() - 1);
-        if (element.name == "style") {  // the content of this element has no tags
+        if (element.name == "style") {  // a style element contains no tags
             const std::size_t stop = html.find("</style>", at);
             page.elements.back().text = std::string(html.substr(at, stop - at));
             at = std::min(stop, html.size());

@@ -1,4 +1,4 @@
-// Compares measures with numbers worked out by hand, and with the simplest way to compute them.
+// Tests measures against numbers worked out by hand, and against the simplest way to compute them.
 #include "app/results/measures.h"
 #include "tests/support/names.h"
 

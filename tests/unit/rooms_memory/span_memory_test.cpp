@@ -84,7 +84,7 @@ TEST(SpanMemory, peaks_at_150_bytes_or_less_for_each_place_to_stand) {
     RecordProperty("bytes_for_each_place", std::to_string(bytes_each(spans)));
 }
 
-// The file of a flat is in millimetres, but the reader takes them for metres. So the floor is 60 by 40 km.
+// The file of a flat is in millimetres, but the reader treats the numbers as metres. So the floor is 60 by 40 km.
 TEST(SpanMemory, is_limited_in_a_world_too_large_to_be_examined_completely) {
     if (kSmall) GTEST_SKIP() << "too large for a sanitizer";
     (void)phrase("direction.ahead");  // loads the texts of the language before the test counts memory

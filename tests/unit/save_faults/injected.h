@@ -1,5 +1,5 @@
-// Replaces the system's calls for writing files, and the allocator, in this test program. While armed, the n-th call on
-// the arming thread fails or does less than requested.
+// Replaces the system's calls for writing files, and the allocator, in this test program. While one of the classes
+// below is active, the n-th call on the thread that created it fails or does less than requested.
 #pragma once
 
 #include <new>

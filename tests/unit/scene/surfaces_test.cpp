@@ -98,7 +98,7 @@ TEST(Surfaces, of_an_l_shaped_room_include_six_walls) {
 TEST(Surfaces, of_a_wall_made_of_five_brushes_form_one_wall) {
     std::string pieces;
     for (int i = 0; i < 4; ++i) pieces += box_brush(64 * i, 192, 0, 64 * i + 64, 208, i == 1 ? 32 : 96);
-    pieces += box_brush(64, 192, 32, 128, 208, 96);  // this piece meets the others in T-junctions
+    pieces += box_brush(64, 192, 32, 128, 208, 96);  // a piece that meets the others in T-junctions
     const Scene scene = building(box_brush(-16, -16, -16, 272, 208, 0) + box_brush(-16, -16, 96, 272, 208, 112) +
                                  box_brush(-16, -16, 0, 0, 208, 96) + box_brush(256, -16, 0, 272, 208, 96) +
                                  box_brush(0, -16, 0, 256, 0, 96) + pieces);

@@ -87,7 +87,8 @@ private:
             if (!faults.empty()) faulty_.emplace(text, after + ": " + fmt::format("{}", fmt::join(faults, "; ")));
         }
     }
-    // Goes down the list, chooses one entry, and leaves. The loops are limited, because an entry may open another list.
+    // Goes down the list, chooses one entry, and leaves the list. The loops are limited, because an entry may open
+    // another list.
     void go_through_list(const std::string& word, int round) {
         constexpr int kMostItems = 12, kMostLists = 6;
         for (int i = 0; i < kMostItems && s_.app.dialogue().is_open(); ++i) {

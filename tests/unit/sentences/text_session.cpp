@@ -8,7 +8,7 @@
 namespace handrail::test {
 namespace {
 
-constexpr double kQuiet_s = 0.4;       // the session counts as quiet if nothing happens for this long
+constexpr double kQuiet_s = 0.4;       // if nothing happens for this long, the session is treated as quiet
 constexpr double kLongestWalk_s = 60;  // every walk ends within this time
 
 Settings text_settings() {

@@ -1,5 +1,5 @@
-// docs/transcripts.md shows six typical sessions by text alone. Plays these sessions and compares them with the page.
-// If HANDRAIL_WRITE_TRANSCRIPTS is set, writes the page instead.
+// Plays the six typical sessions that docs/transcripts.md shows, by text alone, and compares them with the page. If
+// HANDRAIL_WRITE_TRANSCRIPTS is set, writes the page instead.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -124,7 +124,7 @@ TEST(ForceLimiter, resumes_after_a_gap_from_the_held_force_and_never_adds) {
     limiter.limit(Vec3(2, 0, 0), 2.5, ForceFlow::Run, kTick);
     limiter.resume_after_gap();
     EXPECT_EQ(limiter.limit(Vec3(1, 0, 0), 2.5, ForceFlow::Run, 0.02).x, 1.0);
-    // If the requested force has the opposite direction, it must start from zero.
+    // If the requested force has the opposite direction, the limited force must start from zero.
     limiter = ramped_in();
     limiter.limit(Vec3(2, 0, 0), 2.5, ForceFlow::Run, kTick);
     limiter.resume_after_gap();

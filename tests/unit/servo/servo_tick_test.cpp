@@ -258,7 +258,7 @@ TEST(ServoTick, unplugging_gives_zero_on_that_tick_and_the_force_returns_only_by
     EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 1);
     EXPECT_EQ(rig.count(ContactEventKind::End), 1);
     EXPECT_EQ(rig.tool().proxy_m, proxy);
-    ++rig.tuning.confirm;  // this must have no effect, because the device is still disconnected
+    ++rig.tuning.confirm;  // the confirmation must have no effect, because the device is still disconnected
     for (int i = 0; i < 100; ++i) ASSERT_EQ(rig.unplugged_tick().force_n, Vec3(0.0));
     EXPECT_EQ(rig.tool().fault, Fault::Unplugged);
     // The device is connected again, with the hand at any place. Until somebody confirms, the hand must feel nothing,
@@ -299,7 +299,7 @@ TEST(ServoTick, motors_that_report_heat_lose_their_force_within_100_ms_and_need_
     EXPECT_EQ(rig.tool().fault, Fault::TooHot);
     EXPECT_TRUE(rig.tool().fault_latched && rig.tool().fault_lasts);
     EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 1);
-    ++rig.tuning.confirm;  // this must have no effect, because the motors are still hot
+    ++rig.tuning.confirm;  // the confirmation must have no effect, because the motors are still hot
     for (int i = 0; i < 50; ++i) ASSERT_EQ(rig.tick(kPressed).force_n, Vec3(0.0));
     rig.sample.hot = false;
     for (int i = 0; i < 50; ++i) ASSERT_EQ(rig.tick(kPressed).force_n, Vec3(0.0)) << "cool, and not confirmed";

@@ -220,7 +220,7 @@ TEST_F(ServoRealtime, the_surrounding_loop_never_allocates_or_frees) {
     EXPECT_EQ(sum.locks, 0);
 }
 
-// A guarded device, which the servo uses like a real one. A separate guard process is at its other end.
+// Tests a guarded device, which the servo uses like a real device. The device runs in a separate guard process.
 TEST_F(ServoRealtime, a_guarded_device_is_exchanged_without_allocation_lock_or_clock) {
     GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
     const auto opened = device.open();

@@ -152,7 +152,8 @@ TEST_F(EspeakSpeechTest, is_heard_through_the_sound_sink_within_50_ms_of_stream_
 
 TEST_F(EspeakSpeechTest, without_a_voice_it_beeps_and_gives_the_reason) {
     const auto other = std::make_shared<VoiceChannel>();
-    const auto fallback = open_voice(other, {});  // cannot open a voice, because the only one is in use
+    // open_voice() cannot open espeak-ng, because another object uses the only instance.
+    const auto fallback = open_voice(other, {});
     EXPECT_EQ(fallback->news(), "The built-in voice is already in use. Beeps mean that there is text to read.");
     fallback->say({.text = "Door"});
     EXPECT_TRUE(fallback->speaking());

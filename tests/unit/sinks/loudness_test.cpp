@@ -97,14 +97,14 @@ TEST(Loudness, of_every_sound_is_in_the_results) {
     EXPECT_EQ(shown, now) << "HANDRAIL_WRITE_TRANSCRIPTS=1 writes it anew; read what has changed";
 }
 
-// Plays all these sounds at once, together with a voice if `voice_hz` is not zero. Returns what both ears hear, left
-// and right samples in turn.
+// Plays all of `cues` at once, together with a voice if `voice_hz` is not zero. Returns what both ears hear, left and
+// right samples in turn.
 std::vector<float> heard(const std::vector<SoundCue>& cues, double seconds = 0.6, int voice_hz = 0) {
     auto voice = std::make_shared<VoiceChannel>();
     auto sink = OpenALSink::open(voice, {.output = OpenALSink::Output::OnDemand});
     if (!sink) throw std::runtime_error(sink.error().sentence());
     if (voice_hz > 0) {
-        // This voice is at full scale, as loud as a voice can be.
+        // The voice is at full scale, as loud as a voice can be.
         std::vector<std::int16_t> speech(22050);
         for (std::size_t i = 0; i < speech.size(); ++i)
             speech[i] =

@@ -93,7 +93,7 @@ private:
     std::atomic<bool> ends_{false};
     std::atomic<int> clients_{0};
     std::mutex mutex_;
-    std::string spoken_;  // `mutex_` guards this text
+    std::string spoken_;  // guarded by `mutex_`
     std::thread thread_;
 };
 

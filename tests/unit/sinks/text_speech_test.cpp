@@ -52,7 +52,7 @@ TEST(TextSpeech, writes_one_line_per_announcement_at_once_with_its_class) {
 }
 
 TEST(TextSpeech, stops_quietly_without_sigpipe_when_its_reader_is_gone) {
-    // Here SIGPIPE has its default action, so it would end the test program.
+    // Sets SIGPIPE to its default action, so that the signal would end the test program.
     ASSERT_EQ(::signal(SIGPIPE, SIG_DFL), SIG_DFL);
     Pipe pipe;
     TextSpeech speech(pipe.ends[1]);

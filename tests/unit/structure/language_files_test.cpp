@@ -80,8 +80,8 @@ bool reads_like_words(const std::string& literal) {
 const std::map<std::string, std::vector<std::string>>& not_said() {
     static const std::map<std::string, std::vector<std::string>> kNotSaid{
         {"worlds/base/contract.cpp",
-         // The program prints this text when it crashes. It must not load languages then, because it must not allocate
-         // memory.
+         // The program prints this text when it crashes. The program must not load languages then, because it must not
+         // allocate memory.
          {"Handrail has a fault of its own"}},
         // Only developers see these texts, in the preset debug and in tests.
         {"haptic/render/validate_scene.cpp", {"a ", "an ", "no ", "HapticScene has"}},

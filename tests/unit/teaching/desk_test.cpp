@@ -87,7 +87,8 @@ public:
         if (serving_.joinable()) serving_.join();
         ::close(listening_);
     }
-    // Waits until the other side has disconnected, and returns everything that it sent. Call this only once.
+    // Waits until the other side has disconnected, and returns everything that the other side sent. A test may call
+    // this only once.
     const std::string& told() {
         serving_.join();
         return told_;

@@ -131,7 +131,8 @@ TEST_F(TouchCommand, pushes_free_bodies_in_virtual_time_with_bit_identical_resul
     };
     const std::vector<Row> fixed = pushed(""), first = pushed(key("free", "1") + key("mass", "1"));
     ASSERT_EQ(fixed.size(), first.size());
-    // A fixed crate must stop the proxy at its side. A free crate must move along, and the hand must feel its friction.
+    // The side of a fixed crate must stop the proxy. A free crate must move along, and the hand must feel the crate's
+    // friction.
     const double side_m = fixed.back().proxy().x;
     EXPECT_NEAR(side_m, -0.25 - 0.005, 0.01);
     EXPECT_GT(first.back().proxy().x, side_m + 0.15);

@@ -114,7 +114,7 @@ private:
                 return sitting_.live(between(3.0, 5.0));
             case 1:
                 return sitting_.live(0.7);
-            case 2:  // looks through the list of rooms and leaves it
+            case 2:  // opens the list of rooms, goes through it and closes it
                 sitting_.key("Shift+4");
                 for (int down = chance(4); down > 0; --down) sitting_.key("Down");
                 sitting_.live(between(0.0, 4.0));
@@ -474,13 +474,13 @@ private:
     std::vector<Span> busy_, led_;
 };
 
-// Returns true for measures of a task that these sums do not cover.
+// Returns true for measures of a task that the sums of this file do not cover.
 bool not_summed(const std::string& key) {
     return key == "turns_missed" || key == "turns_early" || key == "exits_percent" || key == "pointing_side" ||
            key.starts_with("strategy_");
 }
 
-// Returns whether `whole` contains all entries of `part` in this order, possibly with others between them.
+// Returns whether `whole` contains all entries of `part` in the same order, possibly with others between them.
 bool holds_in_order(const std::vector<std::string>& whole, const std::vector<std::string>& part) {
     auto at = whole.begin();
     for (const std::string& name : part) {

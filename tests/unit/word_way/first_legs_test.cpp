@@ -8,7 +8,7 @@
 namespace handrail {
 namespace first_legs_test {
 
-// The ground for directions in the house, as a session makes it.
+// The house, and the ground for directions in it, as a session makes them.
 struct House {
     std::shared_ptr<const Scene> scene = test::our_world("house.map");
     std::vector<int> thing_of_mover;

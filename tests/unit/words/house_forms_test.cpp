@@ -60,7 +60,8 @@ struct Carried {
     int doors = 0, all_doors = 0;  // doors between the same two rooms, of all doors
     // Largest deviations of doors: along their walls, across them, and of the width.
     double along_m = 0.0, across_m = 0.0, width_m = 0.0;
-    // Routes of the same length between the middles of rooms on one storey, of all; below: between storeys.
+    // Number of route lengths between the middles of rooms on one storey that are the same in both forms, and number of
+    // all these routes. The next line has the same numbers for routes between storeys.
     int ways = 0, all_ways = 0;
     int far = 0, all_far = 0;
     double longer_m = 0.0, shorter_m = 0.0;  // largest differences in length of routes on one storey

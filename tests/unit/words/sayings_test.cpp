@@ -139,8 +139,8 @@ TEST(OutlinesInWords, of_adjoining_pieces_become_one_outline) {
     }
 }
 
-// These stairs are not in a separate room. A walker must be able to go up and down the stairs, whether they are
-// straight or turn back.
+// The stairs in these texts are not in a separate room. A walker must be able to go up and down the stairs, whether
+// they are straight or turn back.
 TEST(StairsInWords, from_one_room_to_another_are_walked_and_exported_again) {
     const char* texts[] = {
         "Building: House.\n\nStorey: Ground, 3 metres high.\n\nHall, 6 by 8 metres. Door outside in the south wall.\n"
