@@ -28,7 +28,7 @@ const std::string& school() {
     return kText;
 }
 
-// A map's text. Tests can change its entities, which they name by class and name.
+// A map's text. Tests can change the entities of the map, which they identify by class and name.
 class MapCopy {
 public:
     explicit MapCopy(std::string text) : text_(std::move(text)) {}

@@ -429,7 +429,8 @@ TEST(EffectLaws, move_with_the_body_to_which_they_are_attached) {
             const Vec3 expected = touch_tick(still_state, *still, one, own, kTick_s).force_n;
             const TouchResult r = touch_tick(moving_state, *moving, grown, frame.to_world(own), kTick_s, Vec3(0.0),
                                              BodyPoses{poses, static_cast<std::uint64_t>(i + 1)});
-            // Near obstacles, including bodies, effects may use 0.6 of the device's stiffness, which is 600 N/m.
+            // Near obstacles, including bodies, effects may use 60 % of the device's stiffness of 1,000 N/m. That is
+            // 600 N/m.
             const double share = std::min(1.0, 600.0 / stiffness_bound_n_per_m(law));
             EXPECT_LE(glm::length(frame.turned_back(r.force_n) - expected * share), 1e-9) << i;
         }

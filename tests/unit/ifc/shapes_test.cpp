@@ -147,7 +147,7 @@ TEST(CutAway, removes_exactly_the_intersection_of_both_solids) {
     }
 }
 
-// Returns the faces of an L-shaped solid of 3 by 3 m. Its arms are 1 m thick and it is 2 m high.
+// Returns the faces of an L-shaped solid of 3 by 3 m. The arms of the solid are 1 m thick, and the solid is 2 m high.
 std::vector<FlatFace> l_shell() {
     const Ring outline{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
     std::vector<FlatFace> faces(2);

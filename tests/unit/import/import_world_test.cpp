@@ -309,7 +309,7 @@ TEST(ReaderProcess, gives_one_sentence_for_every_way_to_end) {
 TEST(ReaderProcess, is_not_timed_out_while_it_works) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.write("house.ifc", test::small_house());
-    // The reader works four times as long as the limit for an idle process.
+    // The reader computes without a pause for four times as long as an idle process may run.
     const std::string works = "end=$(($(date +%s) + 8)); while [ $(date +%s) -lt $end ]; do :; done; exit 77";
     const auto read = read_apart(path, {}, stand_in(folder, works), {2'000'000'000, 50, 2.0});
     ASSERT_FALSE(read.has_value());

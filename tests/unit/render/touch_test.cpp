@@ -326,7 +326,7 @@ TEST(TouchTick, keeps_its_contact_if_only_filters_are_reset) {
     EXPECT_EQ(touch_tick(state, *scene, tuning, {0, 0, -0.003}, kTick_s).force_n, Vec3(0.0));
 }
 
-// Returns a pool from z = -1 to 0. It consists of two halves that share the face x = 0.
+// Returns a pool from z = -1 to 0. The pool consists of two halves that share the face x = 0.
 std::shared_ptr<const HapticScene> pool(double viscosity) {
     HapticSceneBuilder builder;
     for (const double side : {-1.0, 0.0}) {

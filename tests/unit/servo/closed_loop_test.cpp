@@ -23,7 +23,7 @@ struct ClosedLoop {
         EXPECT_TRUE(loop.open());
         tuning.touch.world_m_per_hand_m = scale;
         tuning.touch.radius_m = 0.002 * scale;
-        // So high that it limits nothing here: walls are as stiff as the device can render.
+        // The limit is so high that it has no effect: walls are as stiff as the device can render.
         tuning.touch.rated_stiffness_n_per_m = 1e9;
         tuning.touch.default_stiffness_fraction = 0.75;
         tuning.touch.damping_ns_per_m = 5.0;

@@ -246,7 +246,7 @@ TEST(TerminalSends, exactly_the_keys_that_have_an_escape_sequence) {
         if (inputs.size() == 1) sent.insert(inputs.front().key);
     };
     for (int byte = 0; byte < 128; ++byte) {
-        // These bytes are signals, or Backspace on some terminals.
+        // The test skips these bytes, because they are signals, or Backspace on some terminals.
         if (byte == 3 || byte == 8 || byte == 26 || byte == 28) continue;
         note(std::string(1, static_cast<char>(byte)));
         note(std::string("\x1b") + static_cast<char>(byte));

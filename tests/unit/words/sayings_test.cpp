@@ -122,7 +122,7 @@ TEST(SayingsInWords, about_an_unknown_thing_are_reported_with_the_chosen_meaning
         HasSubstr("Wnidow is not a kind of thing that Handrail knows. It was put there as a plain thing of 0.6 by"));
 }
 
-// If an outline consists of adjoining pieces, they must become one room without a wall between them.
+// The adjoining pieces of an outline must become one room without a wall between the pieces.
 TEST(OutlinesInWords, of_adjoining_pieces_become_one_outline) {
     const Scene scene = test::read_rooms(
         "Building: House.\n\nRoom: Foyer, corners 0 0, 3 0, 3 6, 0 6, and corners 3 0, 5 0, 5 2, 3 2, hole 1 4, 2 4, 2 "
