@@ -142,6 +142,8 @@ TEST_F(Brailled, session_goes_on_when_braille_sound_and_speech_are_taken_away_in
     ASSERT_TRUE(press("Right"));
     EXPECT_TRUE(eventually([&] { return speech->spoke("North-north-east"); })) << everything();
     ASSERT_TRUE(braille->start_again()) << everything();
+    // The first key cut the place, which is said again once no key is pressed.
+    ASSERT_TRUE(braille->shows("Room with Radiator")) << everything();
     ASSERT_TRUE(press("c"));
     EXPECT_TRUE(braille->shows("Facing north-north-east, 22 degrees")) << everything();
 

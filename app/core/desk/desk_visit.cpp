@@ -234,7 +234,7 @@ void DeskVisit::come(double now_s) {
 
 void DeskVisit::go_back(double now_s) {
     on_back(std::exchange(scale_waits_, std::nullopt), now_s);
-    context_.answer(phrase("desk.back", {{"where", where_am_i()}}), now_s);
+    context_.tell(cues::SpeechTopic::Place, phrase("desk.back", {{"where", where_am_i()}}), now_s, {.answers = true});
 }
 
 void DeskVisit::hear(const DeskNews& news, double now_s) {

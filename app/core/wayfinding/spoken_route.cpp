@@ -307,7 +307,7 @@ void SpokenRoute::tell_next_leg(double now_s) {
 void SpokenRoute::tell_rest(double now_s) {
     const std::vector<std::string> legs = rest_of_way();
     rest_asked_ = legs.empty();
-    tell(fmt::format("{}", fmt::join(legs, " ")), cues::SpeechTopic::None, now_s);
+    tell(fmt::format("{}", fmt::join(legs, " ")), cues::SpeechTopic::Leg, now_s);
 }
 
 std::vector<std::string> SpokenRoute::rest_of_way() {

@@ -50,7 +50,7 @@ Scenario read(const std::string& name) {
 
 void hear(const std::string& name, double words_per_minute) {
     Scenario scenario = read(name);
-    scenario.tail_s = test::kAfterLastKey_s;
+    scenario.tail_s = test::kAfterLastKey_s * 180.0 / words_per_minute;  // a slow voice needs longer for the same lines
     auto world = read_requested(scenario.world);
     ASSERT_TRUE(world) << world.error().sentence();
     RecordingAudio audio;

@@ -208,7 +208,7 @@ TEST(InfoCommand, lists_what_is_too_small_to_feel_at_a_scale_on_request) {
         testing::Contains("Opening between Living room and Kitchen: feels 1.7 metres wide but is really 1.6 metres."));
     EXPECT_EQ(building.size(), truly.size() + 18) << "11 doors, an opening and 6 things";
     EXPECT_EQ(std::get<1>(at("60")).back(), "Globe's stand: left out.");
-    EXPECT_EQ(std::get<1>(at("detail")), truly);
+    EXPECT_TRUE(std::get<1>(at("detail")).empty()) << "edges are sharp at this scale, and nothing is left out";
     for (const char* wrong : {"large", "0", "-3", "1e9", "nan", "60 m"}) {
         EXPECT_EQ(std::get<0>(at(wrong)), 2) << wrong;
         EXPECT_THAT(std::get<2>(at(wrong)), testing::HasSubstr(wrong));

@@ -124,7 +124,7 @@ using ContractDeathTest = testing::Test;
 TEST(ContractDeathTest, a_broken_precondition_ends_the_program_and_names_the_place) {
     const Desk desk;
     EXPECT_DEATH((void)desk.words(0), "at desk.cpp line [0-9]+: control < controls_.size\\(\\) does not hold");
-    EXPECT_DEATH(WalkerWorld(nullptr), "at body_world.cpp line [0-9]+: scene != nullptr does not hold");
+    EXPECT_DEATH(WalkerWorld(nullptr), "at walker_world.cpp line [0-9]+: scene != nullptr does not hold");
     MoverPlay movers;
     EXPECT_DEATH(movers.set_going(0), "at mover_play.cpp line");
     const auto empty = std::make_shared<const Scene>();
