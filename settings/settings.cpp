@@ -485,7 +485,7 @@ Result<std::optional<SettingsStore::ToSave>> SettingsStore::to_save() const {
         put(*table, path_of(key), entry.value);
         text = with_value(text, path_of(key), entry.value);
     }
-    // If the file is written in an unusual way, the whole file is written anew. It loses its comments, but keeps its
+    // If the file is written in an unusual way, the whole file is written again. It loses its comments, but keeps its
     // meaning.
     if (!says_the_same(text, *table)) {
         std::ostringstream out;

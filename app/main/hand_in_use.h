@@ -57,8 +57,8 @@ public:
     bool driven() const { return servo_ != nullptr; }
     // Returns true if the hand is a simulated one, and the person requested neither a simulated hand nor "none".
     bool stands_in() const { return facts_.present && facts_.simulated && !hand_without_looking(wanted()); }
-    // Returns true if the hand can be set up. A simulated hand can be set up only if the person requested it, because
-    // only that person wants to be asked to move its grip.
+    // Returns true if the hand can be set up. A simulated hand can be set up only if the person requested it; nobody
+    // else wants a request to move its grip.
     bool can_be_set_up() const;
     const core::HandFacts& facts() const { return facts_; }
     // Reads the newest state of the servo. tool() returns that state until the next call.

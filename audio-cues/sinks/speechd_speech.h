@@ -14,7 +14,7 @@
 
 namespace handrail::sinks {
 
-// The audio thread owns and calls it.
+// The audio thread owns a SpeechdSpeech and calls its functions.
 class SpeechdSpeech final : public Voice {
 public:
     // Time without an answer to a call after which the server is treated as gone.

@@ -10,7 +10,7 @@
 
 namespace handrail::check {
 
-// The number of a room's standing places that are under a roof, and of those in the open.
+// The number of a room's standing places that are under a roof, and the number in the open.
 struct Cover {
     std::size_t under_roof = 0, open = 0;
     std::uint32_t first_open = navigation::kNothing;

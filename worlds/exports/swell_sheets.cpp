@@ -15,7 +15,8 @@ constexpr double kWithOneCell = 0.7;
 constexpr std::size_t kMostLetters = 20;
 constexpr int kScalesTried = 2;  // number of scales to try if the first one breaks promises that do not concern signs
 constexpr int kMostLarger = 10;  // most larger sheets to try for rooms that are too small on the other sheets
-// Finest scale of a larger sheet; with a finer one, a shaft of half a metre would get a sheet to itself.
+// A room that needs a scale of 1 to 50 or larger for one braille cell gets no larger sheet. Otherwise, a shaft half a
+// metre wide would get a sheet to itself.
 constexpr double kFinestLarger = 50.0;
 constexpr double kAroundSmall_m = 2.0;  // margin around the rooms on a larger sheet
 // Space needed on either side of a sign, for its clearance and for thickened walls.

@@ -86,7 +86,7 @@ std::string own_name(const Room& room);
 const std::string& known_as(const Room& room);
 
 // Numbers the rooms that have the same name and sets all names. Afterwards the names are those of a new graph, without
-// the names that persons gave.
+// the names that people gave.
 void number_room_names(RoomGraph& graph);
 // If another language is spoken now, makes the names of rooms again in that language. Otherwise returns at once.
 void say_room_names(RoomGraph& graph);

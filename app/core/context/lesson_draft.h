@@ -19,8 +19,8 @@ struct LessonDraft {
     std::string title;
     Vec3 base_feet_m{0.0};
     double base_heading_rad = 0.0;
-    // Spoken name of the room that contains the base. Empty if the base is in no room, or outdoors, where there are no
-    // walls to learn.
+    // Spoken name of the room that contains the base. Empty if the base is in no room, or outdoors, which has no walls
+    // to learn.
     std::string base_room;
     std::vector<Place> landmarks;
     std::vector<Place> stops;  // stops of the route, in order

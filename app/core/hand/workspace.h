@@ -68,7 +68,7 @@ public:
     // Moves the workspace to the nearest place where the proxy fits, because nothing can move the hand on the device.
     // Returns the distance in words, or an empty text if the proxy already fits. `middle_was_m` is the middle of the
     // workspace when the hand's position was measured. `with_body` is true if the walker has just been brought out of a
-    // solid too. This also frees a hand that passes through its solid.
+    // solid too. The hand is then freed even if it began inside a solid.
     std::string bring_out(const Vec3& middle_was_m, bool with_body, double now_s);
 
     // Moves the target of the simulated hand by a vector in the device frame. The target stays within the hand's reach.

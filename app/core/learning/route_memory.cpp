@@ -30,7 +30,7 @@ std::vector<SideTable> turns_of(const SideEntry& way) {
 
 void RouteMemory::see(const SessionEvent& event) {
     std::visit(Overloaded{[&](const Led& led) {
-                              // The guidance was only announced again, so nothing begins anew.
+                              // The guidance was only announced again, so no new walk begins.
                               if (led.goal == going_.goal && !going_.arrived) return;
                               going_ = {led.goal, {}, true, false};
                           },

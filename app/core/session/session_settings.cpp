@@ -1,5 +1,5 @@
-// The part of Session that applies changed settings while the session runs: all settings from outside, or one setting
-// from any input. Use it on the app thread only.
+// The part of Session that applies changed settings while the session runs. The program replaces all settings at once;
+// a key, a list or a typed line changes one. App thread only.
 #include <algorithm>
 #include <array>
 

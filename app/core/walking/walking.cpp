@@ -396,8 +396,8 @@ void Walking::tell_step(const WalkerMotion& before, const WalkResult& walked, do
     context_.cues.cue(std::move(cue));
 }
 
-// Announces the number of steps once the walker rests. Only a person who types hears the announcement, because for that
-// person there may be no sound of footsteps.
+// Announces the number of steps once the walker rests. Only a person who types hears the announcement, because a typist
+// may hear no footsteps.
 void Walking::tell_rest(bool goes, double now_s) {
     if (goes) walked_s_ = now_s;
     if (goes || now_s - walked_s_ < kRests_s) return;

@@ -22,7 +22,8 @@ double horizontal_length(const Vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y
 // Therefore the walker is lifted until its centre is free.
 Vec3 on_top_of_m(const WalkerWorld& world, const Vec3& feet_m, double height_m) {
     const WalkerShape middle{0.0, height_m};
-    // The place is slightly above the feet, because ground at the height of the feet carries the walker.
+    // Starts twice the contact gap above the feet. Ground at the height of the feet carries the walker, so it must not
+    // count as an overlap.
     const Vec3 above = feet_m + Vec3(0.0, 0.0, 2.0 * WalkerWorld::kContactGap_m);
     for (int i = 0; i <= kLifts; ++i)
         if (const Vec3 lifted = above + Vec3(0.0, 0.0, i * kLift_m); !world.blocked(lifted, middle)) return lifted;

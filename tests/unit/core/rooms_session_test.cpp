@@ -182,7 +182,7 @@ TEST(RoomsInASession, are_found_in_the_background_while_the_session_continues) {
     EXPECT_TRUE(s.said.back().starts_with("Hall. ")) << s.said.back();
 }
 
-// Delivers the rooms in virtual time, as in a recording: they arrive when the session has asked for results the given
+// Delivers the rooms in virtual time, as in a recording: they arrive when the session has requested results the given
 // number of times.
 struct LateRooms {
     // Other background tasks ask for results too, so the constructor gives several consecutive numbers.

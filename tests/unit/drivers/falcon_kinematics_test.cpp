@@ -115,7 +115,7 @@ TEST(FalconKinematics, torques_do_the_work_of_the_force) {
     for (int i = 0; i < test::scaled(2000); ++i) {
         const Vec3 grip = random_grip(random), force{newtons(random), newtons(random), newtons(random)};
         const Vec3 torques = *falcon_torques(grip, *falcon_inverse(grip), force);
-        // With so many counts per newton metre, rounding to whole counts does not affect the comparison.
+        // With this many counts per newton metre, rounding to whole counts does not affect the comparison.
         falcon.counts_per_nm = 1e6;
         const std::array<int, 3> counts{static_cast<int>(-torques.x * 1e6), static_cast<int>(-torques.y * 1e6),
                                         static_cast<int>(-torques.z * 1e6)};

@@ -629,8 +629,8 @@ bool says(const SwellSheet& sheet, const std::string& text) { return sheet.plan.
 
 TEST(SwellSheet, draws_stairs_between_narrow_walls_from_wall_to_wall) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for our house";
-    // At this scale, the 3 m between the walls are 8.6 mm. Lines that keep a distance from both walls would be too
-    // short.
+    // This storey is drawn at 1 to 350, so the 3 m between the walls are 8.6 mm. Lines that keep a distance from both
+    // walls would be too short.
     Storey storey = two_rooms();
     storey.rooms[1].kind = RoomKind::Stairs;
     storey.max_m = {90.0, 30.0};

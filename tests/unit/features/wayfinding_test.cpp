@@ -237,8 +237,8 @@ std::shared_ptr<const Scene> two_rooms() {
     return builder.share();
 }
 
-// DirectionsGround plans routes for announced directions. On it, a walker may seem to slide past something that really
-// stops the walker.
+// DirectionsGround plans routes for announced directions on a grid that is coarser than the walker. In a plan, the
+// walker may slide past an obstacle that stops the real walker.
 TEST(Wayfinding, does_not_repeat_a_leg_on_which_the_body_was_just_stopped) {
     test::PlainSession plain(two_rooms());
     Rooms rooms{plain.context};

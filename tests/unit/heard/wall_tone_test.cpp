@@ -1,5 +1,5 @@
 // Tests the wall tone, which reports a near wall to a person who moves. The tone must fall silent for a person who
-// stands, because that person has already heard it.
+// stands, because they have already heard it.
 #include <gtest/gtest.h>
 
 #include "app/core/session/headless_session.h"

@@ -551,8 +551,8 @@ TEST(LessonInItsWorld, may_ask_for_any_thing_of_the_world_except_under_the_learn
     EXPECT_FALSE(taught(lesson, school()->scene())) << "nobody comes to it on the route";
 }
 
-// The reader of a building adds ground around the building. If the base is on that ground, the lesson must not ask for
-// a percentage of walls there.
+// The reader of a building adds ground around the building. That ground has no walls, so a step that teaches it must
+// not require the learner to explore a percentage of its walls.
 TEST(LessonInItsWorld, has_no_wall_percentage_outdoors_and_prepares_no_learning_step_there) {
     const auto file = test::project_root() / "tests/fuzz/inputs/ifc/seeds/small_house.ifc";
     const auto scene = test::world_once(file);

@@ -27,7 +27,7 @@ inline void append(std::string& bytes, Value value) {
 }
 
 // Returns the building as a map. Walls become brushes and leaves become doors. If `names` is empty, the rooms get the
-// names that the file states.
+// names in `scene.stated`.
 inline std::string map_of(const Scene& scene, std::vector<RoomName> names = {}) {
     constexpr double kUnits = 32.0;  // units per metre
     std::string walls, rest;
