@@ -63,12 +63,12 @@ TEST_P(MonkeySession, never_exceeds_the_force_ceiling_never_enters_a_wall_and_al
     const int acts = acts_of_part();
     for (int i = 0; i < acts; ++i)
         ASSERT_TRUE(monkey.act()) << "HANDRAIL_SEED=" << seed_of_run() << ", act " << i << ": " << monkey.story();
-    for (const char* kind : {"command", "key", "text", "line", "hand", "trouble", "device", "setting", "question"})
-        EXPECT_GT(monkey.done().count(kind), 0U) << kind << " never came about";
     const auto looks = monkey.done().find("ball in its place");
     const auto looked = looks == monkey.done().end() ? 0 : looks->second;
-    // At least one proxy must have been checked at its place. In a short run, that may not happen.
+    // In a short run, a rare act may not happen, and no proxy may be checked at its place.
     if (acts >= 1000) {
+        for (const char* kind : {"command", "key", "text", "line", "hand", "trouble", "device", "setting", "question"})
+            EXPECT_GT(monkey.done().count(kind), 0U) << kind << " never came about";
         EXPECT_GT(looked, 0) << "the ball was never looked at";
     }
     std::cout << acts << " acts, " << monkey.seconds() << " s of its time, " << monkey.lines()
