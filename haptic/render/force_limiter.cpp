@@ -59,7 +59,7 @@ Vec3 ForceLimiter::limit(const Vec3& wanted_n, double ceiling_n, ForceFlow flow,
     const bool untouched = resume_offset_n_ == 0.0 && gain == 1.0 && wanted_length <= ceiling_n;
     last_n_ = untouched ? wanted_n : direction * std::max(0.0, allowed - resume_offset_n_);
     tick_assert(gain_ >= 0.0 && gain_ <= 1.0 && resume_offset_n_ >= 0.0);
-    tick_assert(is_finite(last_n_) && glm::length(last_n_ / largest) * (largest / ceiling_n) <= 1.0 + 1e-9);
+    tick_assert(is_finite(last_n_) && std::hypot(last_n_.x, last_n_.y, last_n_.z) <= ceiling_n * (1.0 + 1e-9));
     return last_n_;
 }
 
