@@ -15,11 +15,11 @@ namespace library_example_test {
 
 double force_in_house() {
     // clang-format off
-const auto world = handrail::read_world("house.map");
-const auto felt = handrail::compile_haptic(*world, handrail::MaterialSource::Library);
-const auto hand_m = world->starts.front().feet_m + handrail::Vec3(0.0, 0.0, -0.001);  // 1 mm deep in the ground
-handrail::TouchState state;
-const auto force_n = handrail::touch_tick(state, *felt, {}, hand_m, 0.001).force_n;
+const auto world = handrail::readers::read_world("house.map");
+const auto felt = handrail::compile::compile_haptic(*world, handrail::compile::MaterialSource::Library);
+const auto hand_m = world->starts.front().feet_m + handrail::Vec3(0.0, 0.0, -0.001);  // 1 mm deep
+handrail::render::TouchState state;
+const auto force_n = handrail::render::touch_tick(state, *felt, {}, hand_m, 0.001).force_n;
     // clang-format on
     return glm::length(force_n);
 }
