@@ -183,7 +183,7 @@ private:
     std::deque<Order> orders_;
     std::deque<DrivenPoses> driven_;
     std::uint32_t drives_ = 0, driven_taken_ = 0;
-    std::array<double, 2> places_s_{};  // value of EngineRow for each hand in the last step
+    std::array<double, 2> places_s_{};  // EngineRow::places_s of the last step
 };
 
 PlayedBodies::PlayedBodies(const Recording& recording, std::function<bool(std::size_t which)> step_hand)

@@ -23,9 +23,8 @@ struct FrameRow {
     std::uint64_t tick = 0, left_tick = 0;  // ToolState::ticks of each hand, as the session read it; 0: no hand
     Vec3 feet_m{0.0};
     double heading_rad = 0.0;
-    // The number of the current engine of free bodies (EngineRow::engine); 0: none. Also what the session had read from
-    // the engine by the end of the tick: the number of the newest frame, and how many events.
-    std::uint32_t engine = 0;
+    std::uint32_t engine = 0;  // number of the current engine of free bodies (EngineRow::engine); 0: none
+    // The number of the newest frame, and how many events, the session had read from the engine by the end of the tick.
     std::uint64_t engine_frame = 0, engine_events = 0;
 };
 // One step of the ears, with how many items it read. Times are in whole microseconds of the session's clock.

@@ -51,7 +51,7 @@ struct Touch {
 inline constexpr double kSameContact_s = 2.0;
 int contact_episodes(std::span<const Touch> touches);
 
-// Returns the pointed direction minus the right direction, in (-pi, pi].
+// Returns the pointed direction minus the correct direction, in (-pi, pi].
 double pointing_error_rad(double pointed_rad, double right_rad);
 struct Pointing {
     double absolute_rad = 0.0;  // mean of the absolute values of the errors

@@ -1,6 +1,6 @@
 // Draws a ViewState with OpenGL 3.3 core into the current framebuffer: the first-person view, the plan, or the open
 // list or question. Below that, draws the last spoken line in large letters on a black band. The class uses no window
-// and receives no input. Used by the app thread, on which the context must be current.
+// and receives no input. Call the class on the app thread, while its OpenGL context is current.
 #pragma once
 
 #include <memory>

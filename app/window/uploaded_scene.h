@@ -1,5 +1,6 @@
 // Stores a scene on the graphics card: triangles and outlines of the building, and separately those of each thing that
-// moves freely. Also chooses which parts a view may show. Used by the app thread, on which the context must be current.
+// moves freely. Also chooses which parts a view may show. Call the class on the app thread, while its OpenGL context is
+// current.
 #pragma once
 
 #include <array>

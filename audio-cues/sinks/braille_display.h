@@ -16,7 +16,7 @@
 
 namespace handrail::sinks {
 
-// Data that the app and the braille display share; any thread.
+// Data that the app and the braille display share. Any thread may use it.
 struct BrailleLink {
     // The open list: the text spoken about the current item, and all items as braille shows them. Both empty: no list
     // is open.

@@ -46,8 +46,8 @@ bool watch(HandMailbox& mailbox, int guard_fd, int life_fd) {
     return false;
 }
 
-// Counts beats on a separate thread while a driver opens the device, zeroes the force and closes it, which may take
-// seconds.
+// Increments `relief_beats` on a separate thread, so that the program sees that this process is alive. Meanwhile a
+// driver opens the device, zeroes the force and closes the device, which may take seconds.
 std::jthread beat_meanwhile(HandMailbox& mailbox) noexcept {
     try {
         return std::jthread([&mailbox](const std::stop_token& end) {

@@ -25,7 +25,7 @@ ProgramRun explore(std::vector<std::string> arguments, const std::string& input,
 
 TEST(Explore, without_any_device_gives_the_position_mentions_no_missing_hardware_and_exits_cleanly) {
     ProgramCall call;
-    call.voice = true;  // the program finds no settings, as for a new user
+    call.voice = true;  // the settings file does not turn the voice off
     const ProgramRun run = explore({}, "", call);
     EXPECT_EQ(run.exit_status, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("say: "));

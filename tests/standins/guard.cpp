@@ -1,4 +1,4 @@
-// Replaces handrail-guard by a program with a simulated device, so that tests of the program's side need no hardware.
+// Stands in for handrail-guard and simulates a device, so that tests of the main program need no hardware.
 // It starts like handrail-guard.
 // The device's name selects its behaviour:
 // - echo

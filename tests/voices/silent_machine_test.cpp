@@ -1,7 +1,6 @@
-// Tests scenario 1 of the design, "silent machine never". From the first second of the first start, the program must
-// speak, or a key must announce where the person is. The tests run with the program's own voice alone, with a speech
-// server, and with a screen reader that also drives a braille display. They print wall-clock times but judge only their
-// order.
+// Tests that the machine is never silent. From the first second of the first start, the program speaks, or a key
+// announces where the person is. The tests run with the program's own voice alone, with a speech server, and with a
+// screen reader that also drives a braille display. They print wall-clock times but judge only their order.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -84,7 +84,8 @@ private:
             if (can_before || can_behind) ++made_.wider;
             else made_.narrow_gaps.push_back(place);
         }
-        // If the gap is wide, a thickened wall that ends at a jamb may extend into it.
+        // If the gap is wide enough, erases half a line's width less at each jamb, so that the thickened end of the
+        // wall remains.
         if (width > look_.door_mm + look_.line_mm) low += 0.5 * look_.line_mm, high -= 0.5 * look_.line_mm;
         const double deep = std::max({before, behind, look_.line_mm, gap.deep_m * on_paper_.mm_per_m}) + 0.3;
         fill(made_.ink, Loops{corners_of({middle + along * (0.5 * (low + high)), along, {0.5 * (high - low), deep}})},

@@ -1,5 +1,5 @@
-// Makes scenes of a single object in code, which can be placed in a world while the world runs. Pure functions; any
-// thread may call them.
+// Builds, without a file, scenes of a single object. Such a scene can be placed in a world while the world runs. Pure
+// functions; any thread may call them.
 #pragma once
 
 #include <memory>

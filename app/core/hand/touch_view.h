@@ -1,4 +1,4 @@
-// Determines what the hand feels of the world at the present scale, and how the servo is tuned for that scale. The
+// Chooses the haptic scene that the hand feels at the present scale, and tunes the servo for that scale. The
 // session owns this class. If scale, settings or world require it, a background task simplifies, rounds and compiles
 // the scene again. Use the class on the app thread only.
 #pragma once

@@ -22,8 +22,8 @@ struct TouchNote {
     double reach_m = 0.0;
 };
 
-// All touches and steps of a session. A repetition within the same spot of a few centimetres is not stored again, so
-// that memory is enough even for a long session.
+// All touches and steps of a session. A touch or step at a spot that is already stored is dropped, unless a touch
+// reaches farther than before. A spot is a few centimetres wide, so even a long session needs little memory.
 class LearningNotes {
 public:
     void touched(const Vec3& point_m, const Vec3& normal, double reach_m);

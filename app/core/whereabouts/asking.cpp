@@ -14,7 +14,8 @@
 namespace handrail::core {
 namespace {
 
-constexpr std::size_t kMostWaysFirst = 2;   // number of exits that are named before what is ahead
+// At most this many exits are announced before the sentence about what is ahead; the others follow it.
+constexpr std::size_t kMostWaysFirst = 2;
 constexpr std::size_t kMostThingsTold = 4;  // number of things that are named when the person asks "where am I" again
 constexpr std::size_t kMostThings = 24;     // number of things that are examined
 // If the hand is within this distance of the walker, it does not point in any direction.

@@ -146,8 +146,8 @@ void WalkerWorld::Pieces::add_scene(const Scene& scene, const PlacedFrame* frame
     const auto at = [frame](const Vec3& p) { return frame ? frame->to_world(p) : p; };
     std::vector<Bound> of_piece;
     const auto add_bevels = [&of_piece](const Aabb& box) {
-        // The six axis planes are added. Without them, the sum of a slanted solid and a wide body would reach far
-        // beyond sharp edges.
+        // Adds the six axis planes. Without them, a slanted solid that is enlarged by the walker's width would reach
+        // far beyond its sharp edges.
         for (int axis = 0; axis < 3; ++axis)
             for (const double sign : {1.0, -1.0}) {
                 Vec3 normal{0.0};

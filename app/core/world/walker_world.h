@@ -101,7 +101,7 @@ private:
         Aabb bounds_m;
         bool clip_only = false;
         bool narrow = false;      // true: the piece is part of stairs; StairRule explains how a walker meets it
-        std::uint32_t solid = 0;  // index in Scene::solids, or in its triangles if `triangle`
+        std::uint32_t solid = 0;  // index in Scene::solids; if `triangle`, in Scene::triangles
         bool triangle = false;
         std::int32_t placed = -1;  // index in Scene::placed of the thing that gives the name; -1: part of the building
     };

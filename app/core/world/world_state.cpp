@@ -8,7 +8,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kShut = 0.5;  // share of the path of a door; a door that is open by less than this is shut
+constexpr double kShut = 0.5;  // a door that has moved less than this share of its path counts as shut
 
 }  // namespace
 

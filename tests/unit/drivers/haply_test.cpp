@@ -47,7 +47,7 @@ TEST(HaplyDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousan
         (*device)->write({force});
         sample = (*device)->read(0.0);
         // The driver reports the device as lost after ten exchanges without an answer. On a very busy machine, the
-        // service may not run for so long that this happens.
+        // service may wait so long for the processor that it misses ten exchanges.
         if (!sample.connected) {
             ASSERT_LE(++lost, 5);
             device = open_haply_device(clock, service.port());

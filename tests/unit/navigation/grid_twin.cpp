@@ -181,8 +181,8 @@ std::vector<std::optional<double>> GridTwin::lengths(const Vec3& from_m, const s
         if (goal < 0 || best[static_cast<std::size_t>(goal)] > 1e200) continue;
         std::vector<int> way;
         for (int s = goal; s >= 0; s = came[static_cast<std::size_t>(s)]) way.push_back(s);
-        // Straightens the path: computes the shortest length over all pairs of its squares that a straight walkable
-        // line joins.
+        // Straightens the path: any two of its squares may be joined by a straight walkable line. Computes the shortest
+        // length that results.
         std::vector<double> short_to(way.size(), 1e300);
         short_to[0] = 0.0;
         for (std::size_t a = 0; a < way.size(); ++a)

@@ -81,8 +81,8 @@ void agree(const Route& route, const Vec3& to, std::optional<double> least_m, st
 }
 
 // Checks whether a walker gets from `from` to each of `places`, and how long the shortest route is. If `back` is true,
-// also checks the routes back, which are as long inside a building. They are not if a walker can get down from a high
-// box but not up again.
+// also checks the routes back. Inside a building a route back is as long as the route there, unless a walker can get
+// down from a high box but not up again.
 int agrees_with(const Twins& twins, Navigation& navigation, const Vec3& from, const std::vector<Vec3>& places,
                 bool back) {
     int compared = 0;

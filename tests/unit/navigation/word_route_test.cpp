@@ -1,6 +1,6 @@
 // Tests routes for announced directions, and the simulated walker that follows them, in rooms made of a few boxes.
-// Tests what stops the walker, what it slides along, and the doorway into which it slides. Also tests that routes keep
-// away from edges, and that they report their own errors.
+// Tests that obstacles stop the walker, and that the walker slides along walls and into the doorway whose frame it has
+// met. Also tests that routes keep away from edges, and that they report their own errors.
 #include "worlds/navigation/directions_route.h"
 
 #include <random>
