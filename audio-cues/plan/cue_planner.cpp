@@ -365,10 +365,7 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
         }
         case CueRequestKind::Interrupt:
             end_demonstration(audio);
-            // Some lines may have been requested before this key in the same step. If no line is being spoken, the next
-            // of them is passed to the sink first: text shows it, and a voice begins it and is cut.
-            if (!speech.speaking()) speak_waiting(now_s, speech);
-            if (order_.key(now_s, speech.speaking())) speech.stop();
+            press(now_s, speech);
             return;
         case CueRequestKind::StopSpeech:
         case CueRequestKind::SilenceAll:
@@ -406,7 +403,7 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             return;
         }
         case CueRequestKind::Repeat: {
-            if (order_.key(now_s, speech.speaking())) speech.stop();
+            press(now_s, speech);
             ask({.utterance = {.text = spoken_.empty() ? phrase("voice.nothing_said") : spoken_.back().text,
                                .topic = last_topic_},
                  .asked_s = asked_s,
@@ -416,7 +413,7 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
         }
         case CueRequestKind::HistoryBack:
         case CueRequestKind::HistoryForward:
-            if (order_.key(now_s, speech.speaking())) speech.stop();
+            press(now_s, speech);
             step_history(request.kind == CueRequestKind::HistoryBack, asked_s);
             return;
     }
@@ -459,6 +456,13 @@ void CuePlanner::warn(const CueRequest& request, double asked_s, double now_s, S
                      .asked_s = asked_s,
                      .repeatable = true};
     if (keep_line(again, now_s)) speech.write(again.utterance);
+}
+
+void CuePlanner::press(double now_s, SpeechSink& speech) {
+    // Some lines may have been requested before this key in the same step. If no line is being spoken, the next of them
+    // is passed to the sink first: text shows it, and a voice begins it and is cut.
+    if (!speech.speaking()) speak_waiting(now_s, speech);
+    if (order_.key(now_s, speech.speaking())) speech.stop();
 }
 
 void CuePlanner::write_unspoken(double now_s, SpeechSink& speech) {

@@ -143,6 +143,7 @@ private:
     void ask(SpeechLine line);
     void alarm(const std::string& text, double asked_s, bool repeatable, bool cuts = false);
     void answer(std::string text, double asked_s);
+    void press(double now_s, SpeechSink& speech);  // a key was pressed: ends the line that is being spoken
     void write_unspoken(double now_s, SpeechSink& speech);
     // What one hand touches, and the state of its sounds.
     struct Hand {
