@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,11 +30,12 @@ struct Ink {
 // Calls `each(x, y)` for every pixel whose centre is inside an odd number of the loops.
 template <class Each>
 void for_pixels_in(const Ink& ink, std::span<const std::vector<Vec2>> loops_mm, Each each) {
-    double low = 1e300, high = -1e300;
+    const double top_mm = ink.high * kInkPixel_mm;
+    double low = top_mm, high = 0.0;
     for (const auto& loop : loops_mm)
         for (const Vec2& p : loop) low = std::min(low, p.y), high = std::max(high, p.y);
-    const int first = std::max(0, static_cast<int>(std::floor(std::max(low, -1.0) / kInkPixel_mm)));
-    const int last = std::min(ink.high - 1, static_cast<int>(std::ceil(std::min(high, 1e5) / kInkPixel_mm)));
+    const int first = static_cast<int>(std::floor(std::max(low, 0.0) / kInkPixel_mm));
+    const int last = std::min(ink.high - 1, static_cast<int>(std::ceil(std::min(high, top_mm) / kInkPixel_mm)));
     std::vector<double> crossings;
     for (int y = first; y <= last; ++y) {
         const double at_mm = (y + 0.5) * kInkPixel_mm;
@@ -46,8 +48,10 @@ void for_pixels_in(const Ink& ink, std::span<const std::vector<Vec2>> loops_mm, 
             }
         std::sort(crossings.begin(), crossings.end());
         for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-            const int from = std::max(0, static_cast<int>(std::ceil(std::max(crossings[i], -1.0))));
-            const int to = std::min(ink.wide - 1, static_cast<int>(std::floor(std::min(crossings[i + 1], 1e6))));
+            const double right = ink.wide;  // a double, because a crossing can be further than any int
+            const int from = static_cast<int>(std::ceil(std::clamp(crossings[i], 0.0, right)));
+            const int to =
+                std::min(ink.wide - 1, static_cast<int>(std::floor(std::clamp(crossings[i + 1], -1.0, right))));
             for (int x = from; x <= to; ++x) each(x, y);
         }
     }

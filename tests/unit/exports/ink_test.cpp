@@ -43,6 +43,21 @@ TEST(InkDistances, agree_with_checking_every_pixel) {
     EXPECT_GT(distances_px(Ink(1.0, 1.0)).front(), 1e6F) << "nothing is black";
 }
 
+TEST(PixelsInLoops, are_those_on_the_page_however_far_the_loops_reach) {
+    Ink ink(4.0, 3.0);
+    const auto count = [&](const Loops& loops) {
+        int pixels = 0;
+        for_pixels_in(ink, loops, [&](int x, int y) { pixels += ink.holds(x, y) ? 1 : 100000; });
+        return pixels;
+    };
+    EXPECT_EQ(count({}), 0);
+    EXPECT_EQ(count({box(-1e300, -1e300, 1e300, 1e300)}), ink.wide * ink.high);
+    EXPECT_EQ(count({box(1.0, -1e300, 1e300, 2.0)}), 30 * 20);
+    EXPECT_EQ(count({box(5.0, 0.0, 1e300, 3.0)}), 0) << "right of the page";
+    EXPECT_EQ(count({box(0.0, 4.0, 4.0, 1e300)}), 0) << "above the page";
+    EXPECT_EQ(count({box(-1e300, -1e300, 4.0, -1.0)}), 0) << "below the page";
+}
+
 TEST(NearBlack, agrees_with_the_pixel_distances) {
     std::mt19937 random(11);
     Ink ink(6.3, 5.2);
