@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 #include "app/core/dialogue/command_words.h"
 #include "app/core/dialogue/typed_sentences.h"
@@ -46,26 +47,33 @@ bool is_also_called(const ListItem& item, std::string_view typed) {
     return !item.also_typed.empty() && is_called(item.also_typed, typed);
 }
 
-// Finds an item by its exact name or number, or by the beginning of its name or of a word in it. Returns the number of
-// items if nothing matches. "To the kitchen" finds the kitchen, unless a name begins with "to". Umlauts may be written
-// out.
-std::size_t item_called(const ListSpec& list, std::string_view typed) {
+std::size_t entry_count(const ListSpec& list) { return list.items.size() + list.hidden.size(); }
+
+const ListItem& entry(const ListSpec& list, std::size_t at) {
+    return at < list.items.size() ? list.items[at] : list.hidden[at - list.items.size()];
+}
+
+// Finds an entry by its exact name, by the number of an item, or by the beginning of its name or of a word in it.
+// Hidden entries follow the items. Returns the number of entries if nothing matches. "To the kitchen" finds the
+// kitchen, unless a name begins with "to". Umlauts may be written out.
+std::size_t entry_called(const ListSpec& list, std::string_view typed) {
     std::size_t number = 0;
+    const std::size_t count = entry_count(list);
     const auto [end, error] = std::from_chars(typed.data(), typed.data() + typed.size(), number);
     const bool is_number = error == std::errc{} && end == typed.data() + typed.size();
     // Platforms and rooms may have numbers as names. A name is preferred to the number of an item, because the person
     // has heard the name.
-    for (std::size_t i = 0; is_number && i < list.items.size(); ++i)
-        if (list.items[i].name == typed) return i;
+    for (std::size_t i = 0; is_number && i < count; ++i)
+        if (entry(list, i).name == typed) return i;
     if (is_number && number >= 1 && number <= list.items.size()) return number - 1;
     const auto is = [](const std::string& name, const std::string& all) { return name == all; };
     for (const std::string& wanted : {plain_word(typed), plain_word(without_fillers(typed))})
         for (const auto fits : {+is, begins_with, holds_word})
-            for (std::size_t i = 0; i < list.items.size() && !wanted.empty(); ++i)
-                if (fits(plain_word(list.items[i].name), wanted)) return i;
-    for (std::size_t i = 0; i < list.items.size(); ++i)
-        if (is_also_called(list.items[i], typed)) return i;
-    return list.items.size();
+            for (std::size_t i = 0; i < count && !wanted.empty(); ++i)
+                if (fits(plain_word(entry(list, i).name), wanted)) return i;
+    for (std::size_t i = 0; i < count; ++i)
+        if (is_also_called(entry(list, i), typed)) return i;
+    return count;
 }
 
 // Joins two sentences, and adds a full stop to the first if it has none.
@@ -160,7 +168,7 @@ DialogueReply Dialogue::key(std::string_view name, double now_s) {
 
 DialogueReply Dialogue::list_key(ListSpec& list, std::string_view name, double now_s) {
     const std::size_t last = list.items.size() - 1, was = list.at;
-    if (name == "Enter") return choose(list);
+    if (name == "Enter") return choose(list, list.at);
     if (name == "Left" || name == "Right") {
         if (!list.items[list.at].adjustable || !list.adjusted) return {true, true, item_words(list)};
         const int by = name == "Left" ? -1 : 1;
@@ -192,9 +200,8 @@ DialogueReply Dialogue::change_value(ListSpec& list, Change change) {
     return {true, false, std::move(value)};
 }
 
-DialogueReply Dialogue::choose(ListSpec& list) {
+DialogueReply Dialogue::choose(ListSpec& list, std::size_t at) {
     const auto chosen = list.chosen;
-    const std::size_t at = list.at;
     if (!list.stays_open) close_all();
     if (chosen) chosen(at);
     return {true, false, {}};
@@ -264,6 +271,15 @@ DialogueReply Dialogue::search(ListSpec& list, bool goes_on, double now_s) {
             list.at = i;
             return {true, false, item_words(list)};
         }
+    // Hidden entries are shown as soon as the person types the beginning of a name.
+    for (const auto fits : {begins_with, holds_word})
+        for (std::size_t i = 0; i < list.hidden.size(); ++i) {
+            if (!fits(list.hidden[i].name, search_)) continue;
+            list.chosen = [chosen = list.chosen, before = list.items.size()](std::size_t at) { chosen(before + at); };
+            list.items = std::exchange(list.hidden, {});
+            list.at = i;
+            return {true, false, item_words(list)};
+        }
     return {true, true, phrase("dialogue.nothing_begins", {{"letters", search_}})};
 }
 
@@ -292,23 +308,23 @@ DialogueReply Dialogue::line(std::string_view text, double now_s) {
         return DialogueReply{true, false, std::move(all)};
     };
     if (auto done = as_key(word)) return *done;
-    const std::size_t found = item_called(*list, text);
-    if (found == list->items.size()) {
+    const std::size_t found = entry_called(*list, text);
+    if (found == entry_count(*list)) {
         // Item names are tried before the spoken language's words for keys, because both may begin with the same
         // letters.
         if (auto done = as_key(list_word(text))) return *done;
         return {true, true, phrase("dialogue.not_in_list", {{"typed", text}})};
     }
-    list->at = found;
-    return choose(*list);
+    if (found < list->items.size()) list->at = found;
+    return choose(*list, found);
 }
 
 bool Dialogue::holds(std::string_view typed, bool by_all) const {
     const auto* list = is_open() ? std::get_if<ListSpec>(stack_.back().get()) : nullptr;
     if (!list) return false;
-    const std::size_t item = item_called(*list, without_blanks(typed));
-    return item < list->items.size() &&
-           (!by_all || is_called(list->items[item].name, typed) || is_also_called(list->items[item], typed));
+    const std::size_t found = entry_called(*list, without_blanks(typed));
+    return found < entry_count(*list) &&
+           (!by_all || is_called(entry(*list, found).name, typed) || is_also_called(entry(*list, found), typed));
 }
 
 bool Dialogue::has_use_for(std::string_view line) const {

@@ -41,7 +41,10 @@ struct ListSpec {
     // Sets the quantity of an item to a number; returns the new value in words.
     std::function<std::string(std::size_t, double)> put{};
     std::function<void()> left{};  // called when the person presses Escape
-    bool stays_open = false;       // false: Enter closes this list and all lists under it before it calls `chosen`
+    // Entries that a typed name also chooses, but that the list does not show. `chosen` receives their index plus the
+    // number of `items`. Typed letters that fit no item replace the items by these entries.
+    std::vector<ListItem> hidden{};
+    bool stays_open = false;  // false: Enter closes this list and all lists under it before it calls `chosen`
 };
 
 // A question that the person answers by typing a text of at most kLongestTyped bytes of UTF-8. Blanks at both ends are
@@ -136,7 +139,7 @@ private:
     bool search_goes_on(double now_s) const;
     DialogueReply search(ListSpec& list, bool goes_on, double now_s);
     DialogueReply text_key(TextSpec& question, std::string_view name);
-    DialogueReply choose(ListSpec& list);
+    DialogueReply choose(ListSpec& list, std::size_t at);
     template <class Change>
     DialogueReply change_value(ListSpec& list, Change change);
     DialogueReply finish(TextSpec& question);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/core/context/kinds_first.h"
 #include "app/core/context/telling.h"
 #include "app/core/whereabouts/room_things.h"
 #include "app/core/world/body_heights.h"
@@ -73,7 +74,9 @@ struct Open {
 std::vector<ListItem> items_of(const SessionContext& context, const Rooms& rooms, const Open& open) {
     std::vector<ListItem> items;
     for (const FindGroup& group : open.groups) items.push_back(item_of(context, rooms, group));
-    items.push_back({phrase("guide.kind"), phrase(kKinds[static_cast<std::size_t>(open.kind)]), true});
+    // A longer list begins with its kinds, so it needs no line to narrow it.
+    if (open.groups.size() <= kMostEntries)
+        items.push_back({phrase("guide.kind"), phrase(kKinds[static_cast<std::size_t>(open.kind)]), true});
     return items;
 }
 
@@ -147,7 +150,14 @@ void open_find_list(const SessionContext& context, const Rooms& rooms,
         several.chosen = [&context, group, chosen](std::size_t one) { chosen(group.found[one].goal, context.tick_s); };
         context.open_list(std::move(several), then_s);
     };
-    context.open_list(std::move(list), now_s);
+    std::vector<std::vector<std::string>> kinds(list.items.size());
+    for (std::size_t i = 0; i < open->groups.size(); ++i) {
+        const Goal& goal = open->groups[i].found.front().goal;
+        for (const FindKind kind : {FindKind::Marks, FindKind::Doors, FindKind::Landmarks, FindKind::Things})
+            if (kinds[i].empty() && is_of(context, goal, kind))
+                kinds[i].push_back(sentence_case(phrase(kKinds[static_cast<std::size_t>(kind)])));
+    }
+    open_kinds_first(context, std::move(list), std::move(kinds), now_s);
 }
 
 }  // namespace handrail::core

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/context/kinds_first.h"
 #include "app/core/context/telling.h"
 #include "app/core/wayfinding/find_list.h"
 #include "app/core/wayfinding/hand_way.h"
 #include "app/core/wayfinding/storey_list.h"
+#include "app/core/whereabouts/storeys.h"
 #include "app/core/world/body_heights.h"
 #include "app/core/world/questions.h"
 #include "audio-cues/plan/speakable.h"
@@ -212,7 +214,10 @@ void Guide::list_routes(double now_s) {
         list.items.push_back({phrase("rooms.stop_following"), {}, false});
         rooms.assign(2, navigation::kNothing);
     }
+    std::vector<std::vector<std::string>> kinds = kinds_of_rooms(*context_.world.scene, graph);
+    std::vector<std::vector<std::string>> kinds_of_items(list.items.size());
     for (const auto& [order_m, room, way_m] : near) {
+        kinds_of_items.push_back(std::move(kinds[room]));
         const std::string far = way_m ? distance_words(*way_m, distances(context_)) : std::string();
         list.items.push_back({sentence_case(graph.rooms[room].name),
                               joined(far, storey_words(context_, graph.rooms[room].middle_m.z)), false});
@@ -228,7 +233,7 @@ void Guide::list_routes(double now_s) {
         }
         go_to_room(rooms[at], context_.tick_s);
     };
-    context_.open_list(std::move(list), now_s);
+    open_kinds_first(context_, std::move(list), std::move(kinds_of_items), now_s);
 }
 
 // While the rooms are not known, compares the text with the room names of the map.

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "app/core/context/kinds_first.h"
 #include "app/core/context/telling.h"
 #include "app/core/dialogue/brief_words.h"
 #include "app/core/whereabouts/room_words.h"
+#include "app/core/whereabouts/storeys.h"
 #include "app/core/world/nearest_wall.h"
 #include "worlds/base/language.h"
 
@@ -144,6 +146,9 @@ void FarPlaces::choose_room(double now_s) {
     std::stable_sort(rooms.begin(), rooms.end(), [&](std::uint32_t a, std::uint32_t b) { return far_m(a) < far_m(b); });
     ListSpec list;
     list.title = phrase("describe.which");
+    std::vector<std::vector<std::string>> kinds = kinds_of_rooms(*context_.world.scene, graph), kinds_of_items;
+    for (const std::uint32_t room : rooms)
+        kinds_of_items.push_back(room == rooms_.here() ? std::vector<std::string>() : std::move(kinds[room]));
     for (const std::uint32_t room : rooms)
         list.items.push_back({sentence_case(graph.rooms[room].name),
                               room == rooms_.here() ? phrase("describe.here") : std::string(), false});
@@ -151,7 +156,7 @@ void FarPlaces::choose_room(double now_s) {
         if (rooms_.found() && rooms[at] < rooms_.graph().rooms.size())
             context_.answer(room_words(context_, rooms_, rooms[at]), context_.tick_s);
     };
-    context_.open_list(std::move(list), now_s);
+    open_kinds_first(context_, std::move(list), std::move(kinds_of_items), now_s);
 }
 
 }  // namespace handrail::core

@@ -56,6 +56,25 @@ std::string storey_name(const std::vector<StoreyOfRooms>& storeys, std::size_t w
     return phrase("storeys.numbered", {{"number", which + 1}});
 }
 
+std::vector<std::vector<std::string>> kinds_of_rooms(const Scene& scene, const navigation::RoomGraph& graph) {
+    const std::vector<StoreyOfRooms> storeys = storeys_of(scene, graph);
+    std::vector<std::vector<std::string>> kinds;
+    for (std::uint32_t r = 0; r < graph.rooms.size(); ++r) {
+        const navigation::Room& room = graph.rooms[r];
+        const bool named = room.given || !room.map_name.empty() || !room.made.thing.empty();
+        kinds.push_back({phrase(room.is_way                                 ? "kinds.ways"
+                                : room.kind == navigation::RoomKind::Stairs ? "kinds.stairs"
+                                : room.kind == navigation::RoomKind::Liquid ? "kinds.water"
+                                : named                                     ? "kinds.rooms"
+                                                                            : "kinds.nameless")});
+        const std::size_t storey = storey_of_room(storeys, graph, r);
+        if (storeys.size() > 1)
+            kinds.back().push_back(storey < storeys.size() ? storey_name(storeys, storey)
+                                                           : phrase("kinds.between_storeys"));
+    }
+    return kinds;
+}
+
 std::string storey_sentence(const Scene& scene, const std::vector<StoreyOfRooms>& storeys, std::size_t which) {
     contract_pre(which < storeys.size());
     const StoreyOfRooms& storey = storeys[which];

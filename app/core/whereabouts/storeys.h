@@ -29,6 +29,9 @@ std::size_t storey_of_room(const std::vector<StoreyOfRooms>& storeys, const navi
 
 // Returns the name from the file, such as "Level 1", or else "Storey 1", counted from the lowest.
 std::string storey_name(const std::vector<StoreyOfRooms>& storeys, std::size_t which);
+// Returns for each room of the graph the kinds for open_kinds_first: what the room is, such as "Rooms with a name" or
+// "Footways and platforms", then its storey if there are several.
+std::vector<std::vector<std::string>> kinds_of_rooms(const Scene& scene, const navigation::RoomGraph& graph);
 // Returns "Duplex, Level 1, storey 1 of 2: 11 rooms."
 std::string storey_sentence(const Scene& scene, const std::vector<StoreyOfRooms>& storeys, std::size_t which);
 

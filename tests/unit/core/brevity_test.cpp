@@ -196,6 +196,7 @@ TEST(FindList, lists_each_name_once_and_finds_it_by_any_word) {
     s.run(0.1);
     s.ask(Command::Exits);
     s.ask(Command::Find);
+    s.line("everything");
     std::set<std::string> names;
     for (const ListItem& item : s.app.dialogue().view().items) EXPECT_TRUE(names.insert(item.name).second) << item.name;
     const std::vector<ListItem> items = s.app.dialogue().view().items;
@@ -211,7 +212,7 @@ TEST(FindList, lists_each_name_once_and_finds_it_by_any_word) {
     // Searches for a word that is not the first word of a name. If the word matches a group of things, the session asks
     // which one.
     EXPECT_THAT(s.line("desk"), HasSubstr("desk"));
-    s.app.apply(KeyTapped{"Escape"}, s.now);
+    while (s.app.dialogue().is_open()) s.app.apply(KeyTapped{"Escape"}, s.now);
     s.listen();
     EXPECT_EQ(s.said.back(), "Closed");
     s.ask(Command::Find);
@@ -223,7 +224,7 @@ TEST(FindList, lists_each_name_once_and_finds_it_by_any_word) {
 
 TEST(FindList, can_be_narrowed_to_one_kind) {
     AppSession s;
-    s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
+    s.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
     s.run(0.1);
     s.ask(Command::Find);
     const std::size_t all = s.app.dialogue().view().items.size();
@@ -231,7 +232,7 @@ TEST(FindList, can_be_narrowed_to_one_kind) {
     EXPECT_EQ(s.line("right"), "doors");
     const std::vector<ListItem> doors = s.app.dialogue().view().items;
     EXPECT_LT(doors.size(), all);
-    EXPECT_GT(doors.size(), 2U);
+    EXPECT_GE(doors.size(), 2U);
     for (std::size_t i = 0; i + 1 < doors.size(); ++i)
         EXPECT_TRUE(doors[i].name.find("oor") != std::string::npos || doors[i].name.find("ate") != std::string::npos)
             << doors[i].name;

@@ -76,6 +76,8 @@ public:
         // Several things with the same name share one entry, which opens a list of them.
         for (std::size_t which = 0;; ++which) {
             tap(Command::Find);
+            // A long list begins with its kinds.
+            if (const std::string all = phrase("kinds.everything"); app().dialogue().holds(all, true)) line(all);
             const std::vector<ListItem> items = app().dialogue().view().items;
             const auto at = std::find_if(items.begin(), items.end(), [&](const ListItem& i) { return i.name == name; });
             if (at == items.end()) return false;

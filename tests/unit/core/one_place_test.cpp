@@ -56,9 +56,11 @@ std::map<std::string, std::string> exits_told(AppSession& s) {
 
 std::map<std::string, std::string> list_told(AppSession& s, Command command) {
     s.ask(command);
+    // A long list begins with kinds.
+    if (s.app.dialogue().holds(phrase("kinds.everything"), true)) s.line(phrase("kinds.everything"));
     std::map<std::string, std::string> told;
     for (const ListItem& item : s.app.dialogue().view().items) told.emplace(item.name, item.value);
-    s.app.apply(KeyTapped{"Escape"}, s.now);
+    while (s.app.dialogue().is_open()) s.app.apply(KeyTapped{"Escape"}, s.now);
     s.listen();
     return told;
 }
