@@ -116,11 +116,7 @@ void WorldVisits::set_lesson_settings(std::vector<std::pair<std::string, std::st
 }
 
 void WorldVisits::enter(LoadedWorld world, double asked_s) {
-    const ReadReport& report = world.entering.file->report;
-    if (report.warnings_in_all > 0)
-        say_(phrase("program.problems",
-                    {{"count", report.warnings_in_all}, {"first", report.warnings.front().sentence()}}),
-             asked_s);
+    const std::shared_ptr<const Scene> file = world.entering.file;
     core::SideFile side_file = additions_to(world.request.file);
     // If the command line states a unit, store it. Later sessions without that option use the stored unit.
     if (world.asked.unit_m) {
@@ -142,6 +138,11 @@ void WorldVisits::enter(LoadedWorld world, double asked_s) {
     app_.apply(core::WorldEntered{std::move(world.entering), std::move(side_file), std::move(world.request),
                                   settings_.values()},
                asked_s);
+    // The problems of the file come after the name of the building.
+    if (const ReadReport& report = file->report; report.warnings_in_all > 0)
+        say_(phrase("program.problems",
+                    {{"count", report.warnings_in_all}, {"first", report.warnings.front().sentence()}}),
+             asked_s);
     recent_.add(here_.file);
     app_.apply(core::WorldsKnown{{world_folder(), recent_.worlds()}}, asked_s);
 }

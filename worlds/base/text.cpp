@@ -39,7 +39,7 @@ std::string lower_ascii(std::string_view text) {
     return out;
 }
 
-std::string nearest_name(std::string_view word, std::span<const std::string> candidates) {
+std::string nearest_name(std::string_view word, std::span<const std::string> candidates, std::size_t most) {
     const std::string a = lower_ascii(word);
     std::size_t best = static_cast<std::size_t>(-1);
     const std::string* found = nullptr;
@@ -62,7 +62,7 @@ std::string nearest_name(std::string_view word, std::span<const std::string> can
             found = &candidate;
         }
     }
-    return found ? *found : std::string{};
+    return found && best <= most ? *found : std::string{};
 }
 
 std::string nearest_key(std::string_view key, std::span<const std::string> keys) {

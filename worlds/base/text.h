@@ -10,8 +10,10 @@
 namespace handrail {
 
 // Returns the candidate with the smallest edit distance to `word`, for "did you mean ..." sentences. ASCII case is
-// ignored. If several candidates are equally near, the first is returned. Empty if there are no candidates.
-std::string nearest_name(std::string_view word, std::span<const std::string> candidates);
+// ignored. If several candidates are equally near, the first is returned. Empty if no candidate is within `most`
+// changes of a byte.
+std::string nearest_name(std::string_view word, std::span<const std::string> candidates,
+                         std::size_t most = static_cast<std::size_t>(-1));
 // Like nearest_name, for keys with a dot, "table.key". If some of `keys` are in the same table as `key`, only they are
 // searched, else all keys.
 std::string nearest_key(std::string_view key, std::span<const std::string> keys);

@@ -148,7 +148,7 @@ std::string Dialogue::where() const {
     if (!is_open()) return {};
     if (const auto* list = std::get_if<ListSpec>(stack_.back().get())) return item_words(*list);
     const auto& question = std::get<TextSpec>(*stack_.back());
-    return question.text.empty() ? question.question : fmt::format("{} {}", question.question, question.text);
+    return question.text.empty() ? question.question : sentences(question.question, question.text);
 }
 
 std::string Dialogue::back_words() const {

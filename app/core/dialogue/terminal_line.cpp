@@ -11,6 +11,8 @@
 namespace handrail::core {
 namespace {
 
+constexpr std::size_t kLongWord = 5;  // in bytes; a word of this length can have two typing mistakes
+
 std::string_view trimmed(std::string_view text) {
     constexpr std::string_view kBlank = " \t\r\n";
     const std::size_t first = text.find_first_not_of(kBlank);
@@ -27,7 +29,10 @@ Result<TerminalLine> command_line_of(std::string_view line) {
     if (is_quit_word(word)) {
         parsed.leave = true;
     } else if (parsed.command = command_of_word(word); !parsed.command) {
-        return fail(phrase("terminal.no_command", {{"word", word}, {"nearest", nearest_name(word, spoken_words())}}));
+        // A command that differs more from the word is hardly what the person meant.
+        const std::string nearest = nearest_name(word, spoken_words(), word.size() < kLongWord ? 1 : 2);
+        return fail(phrase("terminal.no_command",
+                           {{"word", word}, {"near", nearest.empty() ? "no" : "yes"}, {"nearest", nearest}}));
     }
     if (parsed.command && takes_choice(*parsed.command)) {
         parsed.choice = rest;

@@ -111,7 +111,12 @@ void CarriedLines::carry_out(const std::string& line, double now_s) {
         app_.apply(ListsLeft{}, now_s);
     if (app_.apply(LineTyped{always ? word : line}, now_s)) return;
     if (!always && word != line && app_.apply(LineTyped{word}, now_s)) return;
-    if (!parsed) return void(app_.apply(Told{parsed.error().message, cues::SpeechClass::Answer}, now_s));
+    if (!parsed) {
+        const std::string hint = app_.question_hint(line);
+        return void(app_.apply(Told{hint.empty() ? parsed.error().message : parsed.error().message + " " + hint,
+                                    cues::SpeechClass::Answer},
+                               now_s));
+    }
     if (parsed->leave) {
         left_ = true;
     } else if (parsed->command) {

@@ -184,14 +184,16 @@ void Session::act(Command command, double now_s, int times) {
     where_.rooms.take_refused();  // Forgets refusals to other callers since the last command.
     carry_out(command, now_s, times);
     where_.far.note(command);
-    if (where_.rooms.take_refused()) too_early_ = TooEarly{command, now_s};
+    if (where_.rooms.take_refused()) too_early_ = TooEarly{command, {}, now_s};
 }
 
 // Answers the question that was asked before the rooms were known.
 void Session::answer_what_was_too_early(double now_s) {
     if (!too_early_ || where_.rooms.awaited()) return;
-    const Command asked = std::exchange(too_early_, std::nullopt)->command;
-    if (!state_.lists.dialogue.is_open()) act(asked, now_s);
+    const TooEarly asked = *std::exchange(too_early_, std::nullopt);
+    if (state_.lists.dialogue.is_open()) return;
+    if (asked.command) act(*asked.command, now_s);
+    else answer_question(asked.line, now_s);
 }
 
 void Session::place(const Vec3& feet_m, double heading_rad, double now_s) {

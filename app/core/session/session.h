@@ -127,6 +127,9 @@ public:
     // Returns true while a background task makes a scene.
     bool works_in_background() const { return hand_.touch_view.busy() || settled_.busy(); }
 
+    // Returns a sentence with questions that would have worked instead of this line; empty if there is none.
+    std::string question_hint(std::string_view line) const { return answers_.hint(line); }
+
     // Returns the answer to "where am I", which is also announced when a world is entered.
     std::string where_am_i() const { return where_.asking.where_am_i(); }
 
@@ -148,6 +151,8 @@ private:
     bool take_key(std::string_view key, double now_s);
     bool take_text(std::string_view utf8, double now_s);
     bool take_line(std::string_view line, double now_s);
+    bool is_question(std::string_view line) const;
+    bool answer_question(std::string_view line, double now_s);
     bool leave_lists(double now_s);
     bool take_act(const ItemAct& act, double now_s);
     void know_stops(std::uint32_t stops, double now_s);
@@ -198,6 +203,7 @@ private:
     MoverFeatures movers_{state_};
     Bodies bodies_{state_.context, state_.world, state_.hands};
     Guide guide_{state_.context, where_.rooms, movers_.doors};
+    Answers answers_{state_.context, where_.rooms, where_.asking, guide_};
     WalkingFeatures walk_{state_};
     HandFeatures hand_{state_, walk_.keys_held};
     DeskVisit desk_visit_{state_.context};
@@ -224,7 +230,8 @@ private:
     };
     Watched watched_;
     struct TooEarly {
-        Command command;
+        std::optional<Command> command;
+        std::string line;  // a typed question, if there is no command
         double asked_s = 0.0;
     };
     // A question that the person asked while the session was still searching for the rooms. It is answered once the

@@ -1,6 +1,7 @@
 // The part of Session that passes keys and typed lines to lists and questions, and announces their replies. Use it on
 // the app thread only.
 #include "app/core/dialogue/command_words.h"
+#include "app/core/dialogue/terminal_line.h"
 #include "app/core/dialogue/typed_sentences.h"
 #include "app/core/session/session.h"
 #include "worlds/base/language.h"
@@ -12,6 +13,14 @@ std::string_view without_blanks(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
     while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
     return text;
+}
+
+// Returns true if the line is the word of a command, perhaps with a count or a choice, or a whole sentence for a
+// command.
+bool is_command_line(std::string_view line) {
+    const auto parsed = parse_terminal_line(line);
+    if (!parsed || (!parsed->leave && !parsed->command)) return false;
+    return parsed->choice.empty() || command_of_word(line.substr(0, line.find_first_of(" \t"))) == parsed->command;
 }
 
 }  // namespace
@@ -61,7 +70,7 @@ bool Session::take_act(const ItemAct& act, double now_s) {
 bool Session::take_line(std::string_view line, double now_s) {
     const std::string_view bare = without_blanks(line);
     if (lesson_session_.take_line(bare, now_s) || menu_.commands().take_line(bare, now_s)) return true;
-    if (!state_.lists.dialogue.is_open()) return false;
+    if (!state_.lists.dialogue.is_open()) return answer_question(bare, now_s);
     if (const CommandInfo* row = find_command(line); row && in_list(row->command) == InList::Always) return false;
     quiet(now_s);
     const DialogueReply said = state_.lists.dialogue.line(line, now_s);
@@ -78,7 +87,26 @@ bool Session::take_line(std::string_view line, double now_s) {
         act(*command, now_s);
         return true;
     }
+    if (said.denied && !state_.lists.dialogue.typing() && is_question(bare)) {
+        leave_lists(now_s);
+        return answer_question(bare, now_s);
+    }
     return reply(said, now_s);
+}
+
+// Returns true if the line is no command and contains a question that the session answers.
+bool Session::is_question(std::string_view line) const {
+    return state_.world.scene && !is_command_line(line) && answers_.knows(line);
+}
+
+bool Session::answer_question(std::string_view line, double now_s) {
+    if (!is_question(line)) return false;
+    quiet(now_s);
+    where_.rooms.take_refused();  // Forgets refusals to other callers.
+    too_early_.reset();
+    answers_.answer(line, now_s);
+    if (where_.rooms.take_refused()) too_early_ = TooEarly{{}, std::string(line), now_s};
+    return true;
 }
 
 }  // namespace handrail::core

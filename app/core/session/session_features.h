@@ -22,6 +22,7 @@
 #include "app/core/walking/by_ear.h"
 #include "app/core/walking/footing.h"
 #include "app/core/walking/walking.h"
+#include "app/core/wayfinding/answers.h"
 #include "app/core/wayfinding/guide.h"
 #include "app/core/whereabouts/asking.h"
 #include "app/core/whereabouts/climbs.h"

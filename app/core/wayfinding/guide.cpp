@@ -291,6 +291,11 @@ void Guide::open_tools(const Goal& goal, double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
+void Guide::go_to_thing(const Goal& goal, double now_s) {
+    goal_ = goal;
+    lead_as_planned(goal, now_s);
+}
+
 void Guide::call_from(const Goal& goal) {
     context_.events.tell(Led{goal.name, LedBy::Beacon}, context_.tick_s);
     goal_ = goal;

@@ -49,6 +49,8 @@ public:
     // that.
     void go_along(const std::vector<Stop>& stops, bool by_hand, double now_s);
     void go_to_room(std::uint32_t room, double now_s);
+    // Leads to a thing, as the command TakeMe does.
+    void go_to_thing(const Goal& goal, double now_s);
     // Follows the route from the walker to `goal_m`. If `by_room` is true, the goal is the room around that place.
     // Otherwise it is a thing with this name. Returns false if no route leads there.
     bool follow_to(const Vec3& goal_m, const std::string& name, bool by_room, double now_s);

@@ -63,15 +63,13 @@ Asker Asking::asker() const {
     return asker;
 }
 
-// Returns the present state of a thing. For a door, also returns the side of its hinge and of its handle as seen from
-// here.
-std::string Asking::state_of(const Sight& sight) const {
-    const Feature* feature = context_.world.scene->find(sight.seen.feature);
+std::string Asking::state_of(FeatureId thing) const {
+    const Feature* feature = context_.world.scene->find(thing);
     if (!feature) return {};
     std::string text;
     for (std::uint32_t i = 0; i < context_.world.movers.size(); ++i) {
         const Mover& mover = context_.world.scene->movers[i];
-        if (mover.feature != sight.seen.feature || !mover.moves()) continue;
+        if (mover.feature != thing || !mover.moves()) continue;
         const double open = context_.world.movers.part(i);
         if (feature->kind == FeatureKind::Door) {
             text = phrase(open > kOpen ? "questions.open" : open < kShut ? "questions.shut" : "questions.half_open");
@@ -81,7 +79,14 @@ std::string Asking::state_of(const Sight& sight) const {
             text = phrase("questions.moved");
         }
     }
-    return joined(text, sides_of_door(*feature, sight.seen.bearing_rad));
+    return text;
+}
+
+// For a door, also returns the side of its hinge and of its handle as seen from here.
+std::string Asking::state_of(const Sight& sight) const {
+    const Feature* feature = context_.world.scene->find(sight.seen.feature);
+    return feature ? joined(state_of(sight.seen.feature), sides_of_door(*feature, sight.seen.bearing_rad))
+                   : std::string();
 }
 
 std::string Asking::tell_sight(const Sight& sight) const { return tell(sight, state_of(sight), telling()); }
@@ -202,8 +207,15 @@ std::string Asking::around_me() const {
     const auto quarters = around(asker());
     for (int i = 0; i < 4; ++i) {
         const auto& sight = quarters[static_cast<std::size_t>(i)];
-        const std::string side =
-            sentence_case(side_words(i, context_.body.heading_rad, context_.settings.speech.directions));
+        std::string side = side_words(i, context_.body.heading_rad, context_.settings.speech.directions);
+        // A thing that is nearer to the diagonal than to this side gets its own direction: "Half left".
+        if (sight && !sight->surface) {
+            const double off_rad = wrap_angle(sight->seen.bearing_rad - context_.body.heading_rad - i * 0.5 * kPi);
+            if (std::abs(off_rad) > kPi / 8.0)
+                side = brief_direction_words(sight->seen.bearing_rad, context_.body.heading_rad,
+                                             context_.settings.speech.directions);
+        }
+        side = sentence_case(std::move(side));
         if (!text.empty()) text += ' ';
         if (!sight) text += phrase("questions.side_open", {{"side", side}});
         else

@@ -28,6 +28,10 @@ public:
     // Returns the thing that the person asked about last, under the hand or ahead, or kNoFeature. Each thing is
     // returned only once.
     FeatureId take_asked_about() { return std::exchange(asked_about_, kNoFeature); }
+    // Returns what is on one side of the person, counted in quarter circles clockwise from straight ahead, 0 to 3.
+    std::string side_sentence(int quarter) const;
+    // Returns the present state of a thing that moves, such as "shut" or "moved"; empty if the thing has no state.
+    std::string state_of(FeatureId thing) const;
     // Returns what where_am_i() leaves out: the other sides and what else is near.
     std::string what_else() const;
 
@@ -39,7 +43,6 @@ private:
     std::string tell_sight(const Sight& sight) const;
     std::string place_and_heading() const;
     std::uint32_t room_here() const;
-    std::string side_sentence(int quarter) const;
     std::string where_words_now(double now_s);
     std::string tell_there(std::span<const Sight> sights) const;
     std::vector<std::string> ways_out() const;

@@ -52,8 +52,9 @@ std::string exit_sentence(const SessionContext& context, const navigation::RoomG
     const std::string where =
         brief_place_words(far_m(context, portal), std::atan2(way.x, way.y), context.body.heading_goal_rad,
                           context.settings.speech.directions, distances(context));
-    return to == what ? phrase("rooms.exit", {{"exit", exit}, {"where", where}})
-                      : phrase("rooms.exit_to", {{"exit", exit}, {"room", to}, {"where", where}});
+    return sentence_case(to) == sentence_case(what)
+               ? phrase("rooms.exit", {{"exit", exit}, {"where", where}})
+               : phrase("rooms.exit_to", {{"exit", exit}, {"room", to}, {"where", where}});
 }
 
 // Returns the number of the other exits: "89 more: 60 doors, 29 openings."

@@ -90,7 +90,9 @@ std::string exits_words(const SessionContext& context, const navigation::RoomGra
         const Aabb place{portal.place_m, portal.place_m};
         const AtWall at = at_wall(graph.rooms[room].bounds_m, place, 1e9);
         const std::string what = passage_name(context, portal.kind, portal.feature, 0.0), to = graph.rooms[other].name;
-        const std::string exit = to == what ? what : phrase("describe.exit_to", {{"exit", what}, {"room", to}});
+        const std::string exit = sentence_case(to) == sentence_case(what)
+                                     ? what
+                                     : phrase("describe.exit_to", {{"exit", what}, {"room", to}});
         exits.emplace_back(1e6 * static_cast<double>(at.wall) + at.along_m, joined(exit, phrase(kWalls[at.wall])));
     }
     std::stable_sort(exits.begin(), exits.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -205,12 +207,20 @@ std::string neighbours_sentence(const navigation::RoomGraph& graph) {
     }
     if (told.empty()) return phrase("overview.one_room");
     const bool rest =
-        left_out || left_out || std::any_of(joins.begin(), joins.end(), [](const auto& left) { return !left.empty(); });
+        left_out || std::any_of(joins.begin(), joins.end(), [](const auto& others) { return !others.empty(); });
     return phrase(rest ? "overview.first_joins" : "overview.all_joins",
                   {{"joins", fmt::format("{}", fmt::join(told, "; "))}});
 }
 
 }  // namespace
+
+std::string room_size_words(const SessionContext& context, const Rooms& rooms, std::uint32_t room) {
+    const navigation::RoomGraph& graph = rooms.graph();
+    contract_pre(room < graph.rooms.size());
+    const Vec2 size = room_size_m(*context.world.scene, graph, room);
+    return phrase("describe.room", {{"room", sentence_case(graph.rooms[room].name)},
+                                    {"size", size_words(size.x, size.y, distances(context))}});
+}
 
 std::string room_words(const SessionContext& context, const Rooms& rooms, std::uint32_t room) {
     const navigation::RoomGraph& graph = rooms.graph();

@@ -14,6 +14,9 @@ namespace handrail::core {
 // wall: shelf; table."
 std::string room_words(const SessionContext& context, const Rooms& rooms, std::uint32_t room);
 
+// Returns the name and the size of a room: "Library, 9 by 6 metres, 13 by 9 steps."
+std::string room_size_words(const SessionContext& context, const Rooms& rooms, std::uint32_t room);
+
 // Describes the building in three sentences. They contain the storeys and rooms, the size and outline of everything
 // under a roof, and which rooms connect to which. The rooms with the most neighbours come first.
 std::string building_words(const SessionContext& context, const Rooms& rooms);

@@ -171,11 +171,18 @@ bool Newcomer::obey(const std::string& text) {
     return true;
 }
 
+// A long list begins with its kinds. The last of them opens the whole list.
+std::string Newcomer::open_list(const std::string& key) {
+    std::string spoken = ask(key);
+    if (session_->app().dialogue().is_open() && begins(ask("End"), "Everything")) spoken = ask("Enter");
+    else if (session_->app().dialogue().is_open()) ask("Home");
+    static const std::regex title("^[^.]*\\. ");
+    return std::regex_replace(spoken, title, "", std::regex_constants::format_first_only);
+}
+
 std::vector<std::string> Newcomer::entries(const std::string& key) {
     std::vector<std::string> all;
-    std::string spoken = ask(key);
-    static const std::regex title("^[^.]*\\. ");
-    spoken = std::regex_replace(spoken, title, "", std::regex_constants::format_first_only);
+    std::string spoken = open_list(key);
     // Reads until the end of the list, where Down repeats the last entry or starts again at the first. Consecutive
     // footways may have the same name.
     std::string before;
@@ -185,14 +192,12 @@ std::vector<std::string> Newcomer::entries(const std::string& key) {
         all.push_back(entry);
         before = std::exchange(spoken, ask("Down"));
     }
-    tap("Escape");
+    while (session_->app().dialogue().is_open()) tap("Escape");
     return all;
 }
 
 std::string Newcomer::choose(const std::string& key, const std::string& begin) {
-    std::string spoken = ask(key);
-    static const std::regex title("^[^.]*\\. ");
-    spoken = std::regex_replace(spoken, title, "", std::regex_constants::format_first_only);
+    std::string spoken = open_list(key);
     std::string before;
     for (int i = 0; i < 200; ++i) {
         if (begins(spoken, begin)) {

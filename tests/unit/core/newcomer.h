@@ -45,6 +45,8 @@ public:
 
     // Opens a list by a key, reads all its entries one after the other, and leaves the list.
     std::vector<std::string> entries(const std::string& key);
+    // Opens a list by a key. Returns the announcement of its first entry, or of the present one.
+    std::string open_list(const std::string& key);
     // Opens a list by a key, and chooses the first entry that begins with `begin`. Returns what is said after that, or
     // an empty text if there is no such entry.
     std::string choose(const std::string& key, const std::string& begin);

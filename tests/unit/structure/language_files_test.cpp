@@ -169,6 +169,8 @@ const std::vector<std::string> kMadeOfNames{
     "replay_word.",
     // Test: tests/unit/terminal/typed_sentences_test.cpp
     "typed_sentence.",
+    // Source: app/core/dialogue/question.cpp
+    "question_word.",
     // Test: tests/unit/settings/setting_texts_test.cpp
     "setting.",
     "setting_name.",

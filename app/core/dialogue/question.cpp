@@ -1,0 +1,368 @@
+#include "app/core/dialogue/question.h"
+
+#include <algorithm>
+#include <array>
+#include <bitset>
+#include <utility>
+#include <vector>
+
+#include "app/core/dialogue/command_words.h"
+#include "worlds/base/language.h"
+
+namespace handrail::core {
+namespace {
+
+constexpr std::size_t kLongestQuestion = 200;  // in bytes; a longer line is no question
+constexpr std::size_t kLeastForTypo = 6;       // a shorter word must be typed without a mistake
+
+// The meanings that words have in a question. Each has a text in settings/languages, question_word, with bars between
+// its words.
+enum class Meaning : std::uint8_t {
+    HowMany,
+    Unit,
+    Far,
+    Size,
+    Open,
+    Which,
+    What,
+    List,
+    There,
+    Where,
+    Find,
+    Nearest,
+    Go,
+    Up,
+    Down,
+    UpperStorey,
+    LowerStorey,
+    Above,
+    Below,
+    Behind,
+    Left,
+    Right,
+    Home,
+    Own,
+    Called,
+    Leads,
+    Room,
+    Door,
+    Window,
+    Stairs,
+    Storey,
+    Small,
+};
+constexpr std::array<std::string_view, 32> kMeanings{
+    "how_many",     "unit",  "far",   "size",    "open",   "which",  "what",   "list",
+    "there",        "where", "find",  "nearest", "go",     "up",     "down",   "upper_storey",
+    "lower_storey", "above", "below", "behind",  "left",   "right",  "home",   "own",
+    "called",       "leads", "room",  "door",    "window", "stairs", "storey", "small"};
+using Meanings = std::bitset<kMeanings.size()>;
+
+std::size_t index(Meaning meaning) { return static_cast<std::size_t>(meaning); }
+
+// Splits the text into words in the form in which they are compared. An apostrophe with an s after it is removed:
+// "what's" is "what", and "child's room" is "child room".
+std::vector<std::string> words_in(std::string_view text) {
+    constexpr std::string_view kBetween = " \t\r\n,.;:!?\"()-";
+    std::vector<std::string> words;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find_first_of(kBetween, begin), text.size());
+        std::string word = plain_word(text.substr(begin, end - begin));
+        for (const std::string_view mark : {"'", "\xe2\x80\x99"}) {
+            const std::string ending = std::string(mark) + "s";
+            if (word.ends_with(ending)) word.resize(word.size() - ending.size());
+            for (std::size_t at; (at = word.find(mark)) != std::string::npos;) word.erase(at, mark.size());
+        }
+        if (!word.empty()) words.push_back(std::move(word));
+        begin = end + 1;
+    }
+    return words;
+}
+
+// Returns true if one letter was added, left out or replaced, or two neighbouring letters were exchanged.
+bool one_mistake_apart(std::string_view one, std::string_view other) {
+    if (one.size() > other.size()) std::swap(one, other);
+    if (other.size() - one.size() > 1) return false;
+    std::size_t same = 0;
+    while (same < one.size() && one[same] == other[same]) ++same;
+    const std::string_view rest = one.substr(same), other_rest = other.substr(same);
+    if (one.size() < other.size()) return rest == other_rest.substr(1);
+    if (rest.empty() || rest.substr(1) == other_rest.substr(1)) return true;
+    return rest.size() > 1 && rest[0] == other_rest[1] && rest[1] == other_rest[0] &&
+           rest.substr(2) == other_rest.substr(2);
+}
+
+// Returns true for the same word, also with another ending of one letter ("obere", "oberes") or with a typing mistake.
+bool is_word(const std::string& typed, const std::string& word) {
+    if (typed == word) return true;
+    const std::size_t shorter = std::min(typed.size(), word.size());
+    if (shorter + 1 >= kLeastForTypo && (typed.starts_with(word) || word.starts_with(typed)))
+        return std::max(typed.size(), word.size()) == shorter + 1;
+    return shorter >= kLeastForTypo && typed[0] == word[0] && one_mistake_apart(typed, word);
+}
+
+// Returns true if the words from `at` on are `phrase`.
+bool begins(const std::vector<std::string>& words, std::size_t at, const std::vector<std::string>& phrase) {
+    if (phrase.empty() || at + phrase.size() > words.size()) return false;
+    for (std::size_t i = 0; i < phrase.size(); ++i)
+        if (!is_word(words[at + i], phrase[i])) return false;
+    return true;
+}
+
+// A name of the world at a place in the line.
+struct Spotted {
+    std::size_t name = 0;
+    std::size_t at = 0, size = 0;  // its words
+};
+
+// Splits a text at its bars. Each part is a sequence of words.
+std::vector<std::vector<std::string>> parts_of(const std::string& text) {
+    std::vector<std::vector<std::string>> parts;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('|', begin), text.size());
+        parts.push_back(words_in(std::string_view(text).substr(begin, end - begin)));
+        begin = end + 1;
+    }
+    return parts;
+}
+
+// The texts of all meanings in the language spoken.
+struct Lexicon {
+    std::array<std::vector<std::vector<std::string>>, kMeanings.size()> phrases;
+    std::vector<std::vector<std::string>> same;  // pairs of words; the first has the meaning of the second
+
+    Lexicon() : same(parts_of(phrase("question_word.same"))) {
+        for (std::size_t m = 0; m < kMeanings.size(); ++m)
+            phrases[m] = parts_of(phrase("question_word." + std::string(kMeanings[m])));
+    }
+    // Returns true if a phrase of any meaning begins at this word.
+    bool knows(const std::vector<std::string>& words, std::size_t at) const {
+        return std::any_of(phrases.begin(), phrases.end(), [&](const auto& of_meaning) {
+            return std::any_of(of_meaning.begin(), of_meaning.end(),
+                               [&](const auto& said) { return begins(words, at, said); });
+        });
+    }
+};
+
+// Returns the words of the line. Words that the world may call otherwise are replaced: "fridge" becomes "refrigerator",
+// unless a name contains "fridge".
+std::vector<std::string> words_of_line(std::string_view line, std::span<const NameInWorld> names,
+                                       const Lexicon& lexicon) {
+    std::vector<std::string> words = words_in(line);
+    const auto is_in_a_name = [&](const std::string& word) {
+        return std::any_of(names.begin(), names.end(), [&](const NameInWorld& each) {
+            const std::vector<std::string> name = words_in(each.name);
+            return std::find(name.begin(), name.end(), word) != name.end();
+        });
+    };
+    for (std::string& word : words)
+        for (const std::vector<std::string>& pair : lexicon.same)
+            if (pair.size() == 2 && word == pair[0] && !is_in_a_name(word) && is_in_a_name(pair[1])) {
+                word = pair[1];
+                break;
+            }
+    return words;
+}
+
+// Returns the longest names in the line. Several names are returned if they have the same words, as a room and a thing
+// can have.
+std::vector<Spotted> spotted_in(const std::vector<std::string>& words, std::span<const NameInWorld> names) {
+    std::vector<Spotted> found;
+    for (std::size_t n = 0; n < names.size(); ++n) {
+        const std::vector<std::string> name = words_in(names[n].name);
+        for (std::size_t at = 0; at < words.size(); ++at) {
+            if (!begins(words, at, name)) continue;
+            if (!found.empty() && found.front().size < name.size()) found.clear();
+            if (found.empty() || (found.front().size == name.size() && found.front().at == at))
+                found.push_back({n, at, name.size()});
+        }
+    }
+    return found;
+}
+
+// Returns the first name that contains a word of the line, if that word has no meaning in a question: "toilet" in
+// "Girls' toilet". Other names with the same words are also returned.
+std::vector<Spotted> partly_spotted_in(const std::vector<std::string>& words, std::span<const NameInWorld> names,
+                                       const Lexicon& lexicon) {
+    for (std::size_t at = 0; at < words.size(); ++at) {
+        if (lexicon.knows(words, at)) continue;
+        for (std::size_t n = 0; n < names.size(); ++n) {
+            const std::vector<std::string> name = words_in(names[n].name);
+            if (std::none_of(name.begin(), name.end(), [&](const std::string& w) { return is_word(words[at], w); }))
+                continue;
+            std::vector<Spotted> found;
+            for (std::size_t other = n; other < names.size(); ++other)
+                if (words_in(names[other].name) == name) found.push_back({other, at, 1});
+            return found;
+        }
+    }
+    return {};
+}
+
+std::vector<Spotted> names_in(const std::vector<std::string>& words, std::span<const NameInWorld> names,
+                              const Lexicon& lexicon) {
+    std::vector<Spotted> found = spotted_in(words, names);
+    return found.empty() ? partly_spotted_in(words, names, lexicon) : found;
+}
+
+// The words of a line without the name, as meanings.
+struct Understood {
+    Meanings meanings;
+    std::size_t words = 0, unknown = 0;
+    std::optional<std::size_t> room, door, thing;  // names in the line by their kind; indices in the names of the world
+
+    bool has(Meaning meaning) const { return meanings[index(meaning)]; }
+    template <class... More>
+    bool has_any(Meaning first, More... more) const {
+        return has(first) || (has(more) || ...);
+    }
+    std::optional<std::size_t> any_name() const { return thing ? thing : door ? door : room; }
+    std::optional<std::size_t> goal() const { return room ? room : door ? door : thing; }
+};
+
+Understood understood(const std::vector<std::string>& words, const std::vector<Spotted>& names,
+                      std::span<const NameInWorld> in_world, const Lexicon& lexicon) {
+    Understood all;
+    for (const Spotted& spotted : names) {
+        const NamedKind kind = in_world[spotted.name].kind;
+        std::optional<std::size_t>& of_kind = kind == NamedKind::Room   ? all.room
+                                              : kind == NamedKind::Door ? all.door
+                                                                        : all.thing;
+        if (!of_kind) of_kind = spotted.name;
+    }
+    const std::size_t name_at = names.empty() ? words.size() : names.front().at;
+    const std::size_t name_size = names.empty() ? 0 : names.front().size;
+    const auto in_name = [&](std::size_t at) { return at >= name_at && at < name_at + name_size; };
+    std::vector<bool> known(words.size(), false);
+    std::vector<bool> masked(words.size(), false);
+    for (std::size_t at = 0; at < words.size(); ++at) {
+        known[at] = in_name(at);
+        for (const std::vector<std::string>& said : lexicon.phrases[index(Meaning::Small)])
+            if (said.size() > 1 && begins(words, at, said))
+                for (std::size_t i = 0; i < said.size(); ++i) masked[at + i] = true;
+    }
+    for (std::size_t m = 0; m < kMeanings.size(); ++m)
+        for (std::size_t at = 0; at < words.size(); ++at) {
+            // The words of a phrase such as "right now" have no meaning alone.
+            if (masked[at] && m != index(Meaning::Small)) continue;
+            // The words of a name have no other meaning. But a name of one word can be a common noun, as "Stairs" is:
+            // the person may ask how many there are.
+            if (in_name(at) && (name_size > 1 || m < index(Meaning::Room))) continue;
+            for (const std::vector<std::string>& said : lexicon.phrases[m]) {
+                if (!begins(words, at, said)) continue;
+                all.meanings.set(m);
+                for (std::size_t i = 0; i < said.size(); ++i) known[at + i] = true;
+            }
+        }
+    all.words = words.size();
+    all.unknown = static_cast<std::size_t>(std::count(known.begin(), known.end(), false));
+    return all;
+}
+
+CommonNoun noun_of(const Understood& line) {
+    if (line.has(Meaning::Door)) return CommonNoun::Door;
+    if (line.has(Meaning::Window)) return CommonNoun::Window;
+    if (line.has(Meaning::Stairs)) return CommonNoun::Stairs;
+    if (line.has(Meaning::Storey)) return CommonNoun::Storey;
+    if (line.has(Meaning::Room)) return CommonNoun::Room;
+    return CommonNoun::None;
+}
+
+// Questions about a room, door or thing that the line names.
+std::optional<Question> about_name(const Understood& line) {
+    using enum Meaning;
+    const auto named = [&](QuestionKind kind, std::optional<std::size_t> name) { return Question{kind, name, {}}; };
+    if (line.has(Far) || (line.has_any(HowMany, What) && line.has(Unit) && !line.has(Size)))
+        return named(QuestionKind::HowFar, line.goal());
+    if (line.has(Size) && line.room) return named(QuestionKind::SizeOf, line.room);
+    if (line.thing && line.has(Room) && !line.has(Go)) return named(QuestionKind::RoomOf, line.thing);
+    if (line.door && line.has(Leads)) return named(QuestionKind::WhichDoor, line.door);
+    if (line.has(Go)) return named(QuestionKind::WayTo, line.goal());
+    if (line.door && line.has(Open)) return named(QuestionKind::IsOpen, line.door);
+    if (line.room && line.has_any(What, List) && !line.has(Where)) return named(QuestionKind::WhatIsIn, line.room);
+    if (line.has_any(Where, Find, Nearest, There) || line.unknown == 0)
+        return named(QuestionKind::WhereIs, line.any_name());
+    return std::nullopt;
+}
+
+// Questions about the person's place and the building.
+std::optional<Question> about_place(const Understood& line) {
+    using enum Meaning;
+    const CommonNoun noun = noun_of(line);
+    const auto plain = [&](QuestionKind kind) { return Question{kind, {}, noun}; };
+    if (line.has(Home) && line.has(Go)) return plain(QuestionKind::Home);
+    if (line.has(Size) && !line.has_any(HowMany, Storey)) return plain(QuestionKind::SizeOf);
+    if (line.has(Size) && line.has(Unit)) return plain(QuestionKind::SizeOf);
+    if (line.has(Nearest) && noun != CommonNoun::None) return plain(QuestionKind::Nearest);
+    if (line.has(HowMany) && noun != CommonNoun::None) return plain(QuestionKind::HowMany);
+    const bool asks_what = line.has_any(What, Which, There);
+    if (line.has(Own) && line.has_any(UpperStorey, LowerStorey) && !line.has(Go) && !asks_what)
+        return plain(QuestionKind::OwnStorey);
+    if (line.has(Door) && line.has(Open) && line.has(Leads) && !asks_what && !line.has(Where))
+        return plain(QuestionKind::IsOpen);
+    if (line.has(Door) && line.has_any(Leads, Behind)) return plain(QuestionKind::WhichDoor);
+    if (line.has(Go) && line.has_any(Up, UpperStorey)) return plain(QuestionKind::GoUp);
+    if (line.has(Go) && line.has_any(Down, LowerStorey)) return plain(QuestionKind::GoDown);
+    if (line.has(Door) && line.has_any(Which, What) && line.has_any(Own, Called)) return plain(QuestionKind::WhichDoor);
+    if (line.has(Door) && line.has(Open)) return plain(QuestionKind::IsOpen);
+    if (line.has(Above) && !line.has(Storey)) return plain(QuestionKind::Above);
+    if (line.has(Below) && !line.has(Storey)) return plain(QuestionKind::Below);
+    if (line.has(UpperStorey)) return plain(QuestionKind::StoreyAbove);
+    if (line.has(LowerStorey)) return plain(QuestionKind::StoreyBelow);
+    if (line.has(Up)) return plain(asks_what ? QuestionKind::StoreyAbove : QuestionKind::GoUp);
+    if (line.has(Down)) return plain(asks_what ? QuestionKind::StoreyBelow : QuestionKind::GoDown);
+    if (line.has(Storey) && line.has_any(Own, Which, What)) return plain(QuestionKind::OwnStorey);
+    if (line.has(Behind)) return plain(QuestionKind::Behind);
+    if (line.has(Left)) return plain(QuestionKind::Left);
+    if (line.has(Right)) return plain(QuestionKind::Right);
+    if (line.has(Door) && line.has(Which)) return plain(QuestionKind::WhichDoor);
+    if (line.has_any(Where, Find) && noun != CommonNoun::None && !line.has(Own)) return plain(QuestionKind::Nearest);
+    if (line.has(Room) && line.has(List)) return plain(QuestionKind::Rooms);
+    if (line.has(Where) && line.has(Own)) return plain(QuestionKind::Here);
+    if (line.has(Called) || (line.has_any(Which, What) && line.has(Own) && line.has(Room)))
+        return plain(QuestionKind::Here);
+    if (line.has(Room) && line.has_any(There, Which)) return plain(QuestionKind::Rooms);
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Question> question_in(std::string_view line, std::span<const NameInWorld> names) {
+    if (line.size() > kLongestQuestion) return std::nullopt;
+    const Lexicon lexicon;
+    const std::vector<std::string> words = words_of_line(line, names, lexicon);
+    if (words.empty()) return std::nullopt;
+    const Understood all = understood(words, names_in(words, names, lexicon), names, lexicon);
+    if (3 * all.unknown > all.words) return std::nullopt;
+    const bool counts = all.has(Meaning::HowMany) && !all.has(Meaning::Unit) && noun_of(all) != CommonNoun::None;
+    const bool nearest = all.has(Meaning::Nearest) && noun_of(all) != CommonNoun::None;
+    if (all.any_name() && !counts && !nearest)
+        if (const auto question = about_name(all)) return question;
+    return about_place(all);
+}
+
+std::optional<std::size_t> name_in(std::string_view line, std::span<const NameInWorld> names) {
+    if (line.size() > kLongestQuestion) return std::nullopt;
+    const Lexicon lexicon;
+    const std::vector<Spotted> found = names_in(words_of_line(line, names, lexicon), names, lexicon);
+    return found.empty() ? std::nullopt : std::optional(found.front().name);
+}
+
+bool has_noun(std::string_view name, CommonNoun noun) {
+    constexpr std::array kMeaningOf{Meaning::Small,  Meaning::Room,   Meaning::Door,
+                                    Meaning::Window, Meaning::Stairs, Meaning::Storey};
+    if (noun == CommonNoun::None) return false;
+    const std::vector<std::string> words = words_in(name);
+    const std::string key(kMeanings[index(kMeaningOf[static_cast<std::size_t>(noun)])]);
+    for (const std::vector<std::string>& said : parts_of(phrase("question_word." + key)))
+        for (std::size_t at = 0; at < words.size(); ++at)
+            if (begins(words, at, said)) return true;
+    return false;
+}
+
+std::string_view noun_key(CommonNoun noun) {
+    constexpr std::array<std::string_view, 6> kKeys{"none", "room", "door", "window", "stairs", "storey"};
+    return kKeys[static_cast<std::size_t>(noun)];
+}
+
+}  // namespace handrail::core

@@ -1,0 +1,107 @@
+// Tests that typed questions get an answer of one sentence, and that the answer is true of the world.
+#include <gmock/gmock.h>
+
+#include "tests/support/names.h"
+#include "tests/unit/core/app_session.h"
+
+namespace handrail {
+namespace answers_test {
+
+using test::AppSession;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+struct Visitor : AppSession {
+    explicit Visitor(const char* world = "house.map") {
+        app.apply(WorldEntered{make_ready(test::our_world(world))}, 0.0);
+        run(0.1);
+        ask(Command::Exits);
+        run(0.1);
+        said.clear();
+    }
+    // Types a line and returns the last announcement. Fails if a list is open afterwards.
+    std::string typed(const std::string& text) {
+        const std::string answer = line(text);
+        EXPECT_FALSE(app.dialogue().is_open()) << text;
+        return answer;
+    }
+};
+
+TEST(Answers, state_where_things_and_rooms_are) {
+    Visitor s;
+    EXPECT_THAT(s.typed("where is the sofa"), AllOf(StartsWith("Sofa: "), HasSubstr("Living room")));
+    EXPECT_THAT(s.typed("where is the kitchen?"), AllOf(StartsWith("Kitchen: "), HasSubstr("on foot")));
+    EXPECT_EQ(s.typed("where is the hall"), "You are in Hall.");
+    EXPECT_THAT(s.typed("how far is it to the kitchen"), StartsWith("Kitchen: "));
+    EXPECT_EQ(s.typed("which room is the sofa in"), "Sofa is in Living room.");
+    EXPECT_THAT(s.typed("fridge?"), StartsWith("Refrigerator: "));
+    EXPECT_THAT(s.typed("where is the nearest door"), StartsWith("Front door: 1 step behind"));
+}
+
+TEST(Answers, count_what_the_world_contains) {
+    Visitor s;
+    std::size_t doors = 0;
+    for (const Feature& feature : s.app.scene()->features) doors += feature.kind == FeatureKind::Door ? 1 : 0;
+    EXPECT_EQ(s.typed("how many doors are there"), fmt::format("There are {} doors.", doors));
+    EXPECT_EQ(s.typed("how many storeys are there"), "There are 2 storeys.");
+    EXPECT_EQ(s.typed("how many rooms"), "There are 13 rooms.");
+    EXPECT_THAT(s.typed("list the rooms"), AllOf(StartsWith("13 rooms: "), HasSubstr("and 1 more")));
+}
+
+TEST(Answers, state_whether_a_door_is_open_and_where_it_leads) {
+    Visitor s;
+    EXPECT_EQ(s.typed("is the front door open"), "Front door is shut.");
+    EXPECT_EQ(s.typed("is the door open"), "Front door is shut.");
+    EXPECT_THAT(s.typed("where does this door lead"), AllOf(StartsWith("Front door, "), HasSubstr("leads to Garden")));
+    s.ask(Command::Use);
+    s.run(5.0);
+    EXPECT_EQ(s.typed("is the front door open"), "Front door is open.");
+}
+
+TEST(Answers, describe_what_is_above_below_and_around) {
+    Visitor s;
+    EXPECT_THAT(s.typed("what is upstairs"), AllOf(StartsWith("Storey 2, 6 rooms: "), HasSubstr("Landing")));
+    EXPECT_EQ(s.typed("what is above me"), "Above you: Landing.");
+    EXPECT_EQ(s.typed("what is below me"), "No room is below you.");
+    EXPECT_EQ(s.typed("what is downstairs"), "There is no storey below this one.");
+    EXPECT_EQ(s.typed("which floor am i on"), "You are on storey 1 of 2.");
+    EXPECT_THAT(s.typed("what is behind me"), StartsWith("Behind: Front door"));
+    EXPECT_THAT(s.typed("how big is this room"), StartsWith("Hall: "));
+    EXPECT_THAT(s.typed("what is in the kitchen"), AllOf(StartsWith("Kitchen: "), HasSubstr("Refrigerator")));
+}
+
+TEST(Answers, lead_to_the_first_room_of_the_next_storey) {
+    Visitor s;
+    EXPECT_THAT(s.typed("how do i get upstairs"), StartsWith("To Landing."));
+    EXPECT_TRUE(s.app.guide().leads());
+    EXPECT_EQ(s.typed("take me downstairs"), "There is no storey below this one.");
+}
+
+TEST(Answers, come_while_a_list_is_open_and_close_it) {
+    Visitor s;
+    s.ask(Command::Help);
+    ASSERT_TRUE(s.app.dialogue().is_open());
+    EXPECT_EQ(s.typed("how many storeys are there"), "There are 2 storeys.");
+    s.ask(Command::Find);
+    EXPECT_THAT(s.typed("how far is the kitchen"), StartsWith("Kitchen: "));
+}
+
+TEST(Answers, follow_as_soon_as_the_rooms_are_known) {
+    AppSession s;
+    s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
+    s.run(0.05);
+    s.line("how many storeys are there");
+    s.run(1.0);
+    EXPECT_THAT(s.said, ::testing::Contains("There are 2 storeys."));
+}
+
+TEST(Answers, of_questions_that_are_not_understood_state_what_would_have_worked) {
+    Visitor s;
+    EXPECT_THAT(s.app.question_hint("does the sofa smell of lavender or rather of old socks"),
+                HasSubstr("where is Sofa"));
+    EXPECT_EQ(s.app.question_hint("the moon is made of cheese"), "");
+}
+
+}  // namespace answers_test
+}  // namespace handrail
