@@ -42,6 +42,7 @@ enum class Meaning : std::uint8_t {
     Right,
     Home,
     Own,
+    Person,
     Called,
     Leads,
     Room,
@@ -51,11 +52,11 @@ enum class Meaning : std::uint8_t {
     Storey,
     Small,
 };
-constexpr std::array<std::string_view, 32> kMeanings{
-    "how_many",     "unit",  "far",   "size",    "open",   "which",  "what",   "list",
-    "there",        "where", "find",  "nearest", "go",     "up",     "down",   "upper_storey",
-    "lower_storey", "above", "below", "behind",  "left",   "right",  "home",   "own",
-    "called",       "leads", "room",  "door",    "window", "stairs", "storey", "small"};
+constexpr std::array<std::string_view, 33> kMeanings{
+    "how_many", "unit",   "far",     "size",   "open",   "which", "what",         "list",         "there",
+    "where",    "find",   "nearest", "go",     "up",     "down",  "upper_storey", "lower_storey", "above",
+    "below",    "behind", "left",    "right",  "home",   "own",   "person",       "called",       "leads",
+    "room",     "door",   "window",  "stairs", "storey", "small"};
 using Meanings = std::bitset<kMeanings.size()>;
 
 std::size_t index(Meaning meaning) { return static_cast<std::size_t>(meaning); }
@@ -318,7 +319,8 @@ std::optional<Question> about_place(const Understood& line) {
     if (line.has(Door) && line.has(Which)) return plain(QuestionKind::WhichDoor);
     if (line.has_any(Where, Find) && noun != CommonNoun::None && !line.has(Own)) return plain(QuestionKind::Nearest);
     if (line.has(Room) && line.has(List)) return plain(QuestionKind::Rooms);
-    if (line.has(Where) && line.has(Own)) return plain(QuestionKind::Here);
+    // Unless the line is about the person, an unknown word can be the name of something that this world lacks.
+    if (line.has(Where) && (line.has(Person) || (line.has(Own) && line.unknown == 0))) return plain(QuestionKind::Here);
     if (line.has(Called) || (line.has_any(Which, What) && line.has(Own) && line.has(Room)))
         return plain(QuestionKind::Here);
     if (line.has(Room) && line.has_any(There, Which)) return plain(QuestionKind::Rooms);

@@ -64,7 +64,7 @@ TEST_F(CarriedLinesInTheHouse, choose_from_the_open_list_before_they_count_as_co
     type("menu");
     EXPECT_NE(type("down").find("2 of "), std::string::npos);
     EXPECT_NE(type("list").find("1: "), std::string::npos);
-    EXPECT_NE(type("around").find("Ahead: "), std::string::npos) << "only asks";
+    EXPECT_NE(type("around").find("Behind: "), std::string::npos) << "only asks";
     EXPECT_NE(type("bananas").find("\"bananas\" is not in this list."), std::string::npos);
     EXPECT_TRUE(list_is_open());
     EXPECT_NE(type("escape").find("Closed"), std::string::npos);

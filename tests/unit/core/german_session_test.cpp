@@ -45,7 +45,8 @@ TEST(GermanSession, of_questions_touch_and_walking_is_in_whole_german_sentences_
         "Flur, an der Tür, am Ausgangspunkt, Blick nach Norden. Haustür Richtung Garten: 1 Schritt hinten. Tür zum "
         "Arbeitszimmer Richtung Arbeitszimmer: 3 Schritte, halb rechts.");
     EXPECT_EQ(s.ask(Command::AroundMe),
-              "Vorn: Wohnzimmertür, 3 Schritte. Rechts: Tür zum Arbeitszimmer, 3 Schritte. Hinten: Fußmatte, ganz nah. "
+              "Halb links: Wohnzimmertür, 3 Schritte. Halb rechts: Tür zum Arbeitszimmer, 3 Schritte. Hinten: "
+              "Fußmatte, ganz nah. "
               "Links: Garderobenständer, 1 Schritt.");
     EXPECT_EQ(s.ask(Command::AheadOfMe),
               "Wohnzimmertür, 3 Schritte, halb links. Standuhr, 4 Schritte, leicht rechts. "
