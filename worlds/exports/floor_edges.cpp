@@ -10,8 +10,13 @@
 namespace handrail::exports {
 namespace {
 
-constexpr double kEdgeStep_mm = 0.5;   // distance along an edge between two places at which a line is tried
-constexpr double kEdgeAside_mm = 0.4;  // distance on either side of an edge at which the rooms are looked up
+constexpr double kEdgeStep_mm = 0.5;  // distance along an edge between two places at which a line is tried
+// Distance on either side of an edge at which the rooms are looked up. It is in addition to the distance by which the
+// edge may deviate from the cells of the floor.
+constexpr double kEdgeAside_mm = 0.4;
+// Greatest distance, in cells of the floor, between an edge and the sides of these cells. An edge that is oblique to
+// the grid has steps of one cell. Short lines along each of these steps would not show where the edge runs.
+constexpr double kSteps_cells = 1.05;
 // The stretch without lines at an exit extends this far beyond the width of the exit.
 constexpr double kBesideExit_m = 0.6;
 
@@ -41,13 +46,15 @@ public:
     FloorEnds(const plan::Storey& storey, const OnPaper& on_paper, const plan::RoomGrid& rooms)
         : storey_(storey), on_paper_(on_paper), rooms_(rooms) {}
 
+    double steps_mm() const { return kSteps_cells * storey_.floor.cell_m * on_paper_.mm_per_m; }
+
     // Returns the room whose floor ends along the line between the two points; nothing if no floor ends there.
     std::optional<std::uint32_t> ends_along(const Vec2& from, const Vec2& to) const {
-        const Vec2 along = (to - from) / glm::distance(from, to), across(-along.y, along.x);
+        const Vec2 along = (to - from) / glm::distance(from, to);
+        const Vec2 aside = Vec2(-along.y, along.x) * (kEdgeAside_mm + steps_mm());
         std::optional<std::uint32_t> room;
         for (const Vec2& at : {from, 0.5 * (from + to), to}) {
-            const std::uint32_t left = room_at(at + across * kEdgeAside_mm),
-                                right = room_at(at - across * kEdgeAside_mm);
+            const std::uint32_t left = room_at(at + aside), right = room_at(at - aside);
             const auto beyond = static_cast<std::uint32_t>(storey_.rooms.size());
             if ((left == beyond) == (right == beyond)) return std::nullopt;
             room = left == beyond ? right : left;
@@ -94,7 +101,7 @@ EdgeInk edge_lines(const plan::Storey& storey, const OnPaper& on_paper, const pl
     for (const std::uint32_t room : rooms.room) floors.black.push_back(room < storey.rooms.size() ? 1 : 0);
     const FloorEnds edges(storey, on_paper, rooms);
     std::set<std::uint32_t> drawn;
-    for (const std::vector<Vec2>& loop : traced_mm(floors)) {
+    for (const std::vector<Vec2>& loop : traced_mm(floors, edges.steps_mm())) {
         const AlongLoop along(loop);
         for (double far = 0.0; far + kEdgeLine_mm <= along.length();) {
             const Vec2 from = along.at(far), to = along.at(far + kEdgeLine_mm);

@@ -8,7 +8,6 @@
 namespace handrail::exports {
 namespace {
 
-constexpr double kStraight_mm = 0.13;
 constexpr float kFar = 1e9F;
 
 // Returns the largest squared distance, in pixels, that is less than the square of `limit_px`. If `as_far` is set, it
@@ -49,7 +48,8 @@ Ink opposite(const Ink& ink) {
 
 // Marks the points that a simplified line needs. Source: Douglas, Peucker, Algorithms for the reduction of the number
 // of points, 1973. This version uses a stack instead of recursion.
-void keep_corners(const std::vector<Vec2>& points, std::size_t from, std::size_t to, std::vector<bool>& kept) {
+void keep_corners(const std::vector<Vec2>& points, std::size_t from, std::size_t to, double most_mm,
+                  std::vector<bool>& kept) {
     std::vector<std::pair<std::size_t, std::size_t>> open{{from, to}};
     const auto point = [&](std::size_t i) { return points[i % points.size()]; };
     while (!open.empty()) {
@@ -57,7 +57,7 @@ void keep_corners(const std::vector<Vec2>& points, std::size_t from, std::size_t
         open.pop_back();
         const Vec2 p = point(a), way = point(b) - p;
         const double length = glm::length(way);
-        double farthest = kStraight_mm;
+        double farthest = most_mm;
         std::size_t which = 0;
         for (std::size_t i = a + 1; i < b; ++i) {
             const Vec2 to_point = point(i) - p;
@@ -72,15 +72,15 @@ void keep_corners(const std::vector<Vec2>& points, std::size_t from, std::size_t
     }
 }
 
-std::vector<Vec2> straightened(const std::vector<Vec2>& points) {
+std::vector<Vec2> straightened(const std::vector<Vec2>& points, double most_mm) {
     if (points.size() < 4) return points;
     std::size_t far = 0;
     for (std::size_t i = 1; i < points.size(); ++i)
         if (glm::distance(points[i], points[0]) > glm::distance(points[far], points[0])) far = i;
     std::vector<bool> kept(points.size(), false);
     kept[0] = kept[far] = true;
-    keep_corners(points, 0, far, kept);
-    keep_corners(points, far, points.size(), kept);
+    keep_corners(points, 0, far, most_mm, kept);
+    keep_corners(points, far, points.size(), most_mm, kept);
     std::vector<Vec2> out;
     for (std::size_t i = 0; i < points.size(); ++i)
         if (kept[i]) out.push_back(points[i]);
@@ -311,7 +311,7 @@ void part_corners(Ink& ink) {
     }
 }
 
-std::vector<std::vector<Vec2>> traced_mm(const Ink& ink) {
+std::vector<std::vector<Vec2>> traced_mm(const Ink& ink, double most_mm) {
     // For each corner, the sides of pixels that begin there and have black on their left. The bits are 0 east, 1 north,
     // 2 west, 3 south.
     const auto black = [&](int x, int y) { return ink.holds(x, y) && ink.black[ink.at(x, y)] != 0; };
@@ -355,7 +355,7 @@ std::vector<std::vector<Vec2>> traced_mm(const Ink& ink) {
                 x += kX[static_cast<std::size_t>(way)];
                 y += kY[static_cast<std::size_t>(way)];
             }
-            if (loop.size() >= 3) loops.push_back(straightened(loop));
+            if (loop.size() >= 3) loops.push_back(straightened(loop, most_mm));
         }
     }
     return loops;

@@ -93,8 +93,8 @@ int hollow_out(Ink& ink, double thick_mm, double border_mm, double least_mm);
 // all.
 void part_corners(Ink& ink);
 
-// Traces the borders of black as closed lines, which are filled by the even-odd rule. The lines deviate at most 0.13 mm
-// from the pixels.
-std::vector<std::vector<Vec2>> traced_mm(const Ink& ink);
+// Traces the borders of black as closed lines, which are filled by the even-odd rule. The lines deviate at most
+// `most_mm` from the pixels.
+std::vector<std::vector<Vec2>> traced_mm(const Ink& ink, double most_mm = 0.13);
 
 }  // namespace handrail::exports

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "tests/support/names.h"
 #include "tests/unit/exports/plans.h"
 #include "worlds/exports/openings.h"
@@ -41,12 +43,16 @@ int lines_along(const SwellSheet& sheet, const Vec2& from_m, const Vec2& to_m) {
         if (shape.part == kWallPart || shape.loops_mm.size() != 1 || shape.loops_mm[0].size() != 4) continue;
         Vec2 middle(0.0);
         for (const Vec2& p : shape.loops_mm[0]) middle += 0.25 * p;
-        const Vec2 at = sheet.on_paper.world(middle), low = glm::min(from_m, to_m), high = glm::max(from_m, to_m);
         constexpr double kNear_m = 0.5;
-        if (at.x > low.x - kNear_m && at.y > low.y - kNear_m && at.x < high.x + kNear_m && at.y < high.y + kNear_m)
-            ++lines;
+        if (distance_to_loop_mm({from_m, to_m}, sheet.on_paper.world(middle)) < kNear_m) ++lines;
     }
     return lines;
+}
+
+// Returns how many lines along this length an edge should have at least. Some may lack space, at corners and signs.
+int enough_lines(const SwellSheet& sheet, double length_m) {
+    constexpr double kLineAndGap_mm = 7.5;
+    return static_cast<int>(0.7 * length_m * sheet.on_paper.mm_per_m / kLineAndGap_mm);
 }
 
 TEST(FloorEdges, are_rows_of_short_lines_where_no_wall_is) {
@@ -56,13 +62,42 @@ TEST(FloorEdges, are_rows_of_short_lines_where_no_wall_is) {
     find_beyond(storey);
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
     ASSERT_TRUE(sheet);
-    const double long_mm = glm::distance(sheet->on_paper({0.0, 4.0}), sheet->on_paper({9.2, 4.0}));
-    EXPECT_GE(lines_along(*sheet, {0.0, 4.1}, {9.2, 4.1}), static_cast<int>(0.7 * long_mm / 7.5));
+    EXPECT_GE(lines_along(*sheet, {0.0, 4.1}, {9.2, 4.1}), enough_lines(*sheet, 9.2));
     EXPECT_EQ(lines_along(*sheet, {0.5, 0.0}, {8.7, 0.0}), 0) << "a wall is there";
     EXPECT_TRUE(says(*sheet, "edges, where a floor ends without a wall: Kitchen; Room 12.")) << sheet->plan.text;
     EXPECT_FALSE(says(*sheet, "have no lines there")) << sheet->plan.text;
     EXPECT_TRUE(check_gaps(sheet->plan, kLeastGap_mm).narrow_mm.empty());
     EXPECT_TRUE(sheet->broken.empty());
+}
+
+TEST(FloorEdges, have_lines_in_every_direction) {
+    for (const double degrees : {5.0, 20.0, 30.0, 45.0, 70.0}) {
+        const double turn = degrees / 180.0 * std::numbers::pi;
+        const Vec2 along(std::cos(turn), std::sin(turn)), across(-along.y, along.x), from(5.0, 2.0);
+        const std::vector<Vec2> platform{from, from + along * 20.0, from + along * 20.0 + across * 4.0,
+                                         from + across * 4.0};
+        Storey storey = two_platforms();
+        storey.rooms.resize(1);
+        storey.rooms[0].loops_m = {platform};
+        storey.min_m = storey.max_m = from;
+        for (const Vec2& p : platform)
+            storey.min_m = glm::min(storey.min_m, p), storey.max_m = glm::max(storey.max_m, p);
+        storey.rooms[0].min_m = storey.min_m;
+        storey.rooms[0].max_m = storey.max_m;
+        storey.rooms[0].middle_m = 0.25 * (platform[0] + platform[1] + platform[2] + platform[3]);
+        storey.min_m -= Vec2(1.0);
+        storey.max_m += Vec2(1.0);
+        lay_floor(storey);
+        find_beyond(storey);
+        const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+        ASSERT_TRUE(sheet);
+        for (std::size_t side = 0; side < 4; ++side) {
+            const Vec2 a = platform[side], b = platform[(side + 1) % 4];
+            const Vec2 outwards = Vec2(b.y - a.y, a.x - b.x) / glm::distance(a, b) * 0.45;
+            EXPECT_GE(lines_along(*sheet, a + outwards, b + outwards), enough_lines(*sheet, glm::distance(a, b)))
+                << "side " << side << " at " << degrees << " degrees, 1 to " << sheet->one_to;
+        }
+    }
 }
 
 TEST(FloorEdges, have_no_line_where_a_route_leads_to_another_storey) {
