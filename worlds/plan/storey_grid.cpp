@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "worlds/navigation/walk_space.h"
 
@@ -15,7 +16,7 @@ constexpr double kCrack_m = 0.1;  // a crack between walls that is narrower than
 // Distance from the middle of a floor cell within which a place is near the floor. It is slightly more than a walker's
 // radius.
 constexpr double kBesideFloor_m = 0.45;
-constexpr double kRoundPortal_m = 0.5;
+constexpr double kDoorwayDeep_m = 2.0;  // greatest distance between the floors on both sides of a doorway
 // Greatest distance from the floor to a wall of the storey; furniture or a machine may be between them.
 constexpr double kWallNear_m = 2.0;
 
@@ -26,6 +27,21 @@ void for_disc(int wide, int high, const Vec2& at, double radius, Each each) {
     for (int y = first(at.y - radius); y < high && y <= at.y + radius; ++y)
         for (int x = first(at.x - radius); x < wide && x <= at.x + radius; ++x)
             if (glm::distance(Vec2(x + 0.5, y + 0.5), at) <= radius) each(x, y);
+}
+
+// Returns the middle of the floor cell of a room that is nearest to a place; nothing if the nearest is farther away
+// than `most_m`.
+std::optional<Vec2> nearest_floor_m(const Storey& storey, std::uint32_t room, const Vec2& place_m, double most_m) {
+    const StoreyFloor& floor = storey.floor;
+    std::optional<Vec2> nearest;
+    for_disc(floor.wide, floor.high, (place_m - storey.min_m) / floor.cell_m, most_m / floor.cell_m, [&](int x, int y) {
+        const std::size_t cell =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.wide) + static_cast<std::size_t>(x);
+        const Vec2 at_m = storey.min_m + (Vec2(x, y) + Vec2(0.5)) * floor.cell_m;
+        if (floor.room[cell] == room && (!nearest || glm::distance(at_m, place_m) < glm::distance(*nearest, place_m)))
+            nearest = at_m;
+    });
+    return nearest;
 }
 
 }  // namespace
@@ -141,7 +157,15 @@ void find_beyond(Storey& storey) {
                 });
             if (floor.room[cell(x, y)] != navigation::kNothing || flight) lay_middle(x, y);
         }
-    for (const StoreyPortal& portal : storey.portals) lay(portal.place_m, 0.5 * portal.width_m + kRoundPortal_m);
+    // A doorway may be a gap between two floors. Along the rest of a wide portal, the floors adjoin.
+    for (const StoreyPortal& portal : storey.portals) {
+        const double reach_m = 0.5 * portal.width_m + kDoorwayDeep_m;
+        const auto a = nearest_floor_m(storey, portal.rooms[0], portal.place_m, reach_m);
+        const auto b = a ? nearest_floor_m(storey, portal.rooms[1], *a, kDoorwayDeep_m) : std::nullopt;
+        if (!b) continue;
+        const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(*a, *b) / floor.cell_m)));
+        for (int i = 0; i <= steps; ++i) lay(*a + (*b - *a) * (static_cast<double>(i) / steps), kBesideFloor_m);
+    }
 
     // Finds the squares that can be reached from the rim without crossing a wall or a floor.
     const StoreyGrid squares = StoreyGrid::of(storey);

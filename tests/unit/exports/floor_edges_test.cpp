@@ -100,6 +100,27 @@ TEST(FloorEdges, have_lines_in_every_direction) {
     }
 }
 
+TEST(FloorEdges, run_along_the_floor_next_to_a_wide_opening_between_rooms) {
+    // The opening is as wide as the two halves of the platform are long.
+    Storey storey = two_platforms();
+    storey.max_m = {21.0, 9.0};
+    storey.rooms[0].loops_m = {{{0.5, 3.0}, {20.5, 3.0}, {20.5, 5.0}, {0.5, 5.0}}};
+    storey.rooms[1].loops_m = {{{0.5, 5.0}, {20.5, 5.0}, {20.5, 7.0}, {0.5, 7.0}}};
+    for (StoreyRoom& room : storey.rooms) {
+        room.min_m = room.loops_m[0][0];
+        room.max_m = room.loops_m[0][2];
+        room.middle_m = 0.5 * (room.min_m + room.max_m);
+    }
+    storey.portals = {{PassageKind::Opening, {0, 1}, {10.5, 5.0}, 20.0}};
+    lay_floor(storey);
+    find_beyond(storey);
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    for (const double y : {2.6, 7.4})
+        EXPECT_GE(lines_along(*sheet, {0.5, y}, {20.5, y}), enough_lines(*sheet, 20.0)) << "edge at " << y;
+    EXPECT_TRUE(sheet->broken.empty());
+}
+
 TEST(FloorEdges, have_no_line_where_a_route_leads_to_another_storey) {
     Storey storey = two_platforms();
     storey.exits.push_back({PassageKind::Opening, 0, "Hall", {3.0, 4.0}, 2.0});
