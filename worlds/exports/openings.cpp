@@ -74,16 +74,29 @@ private:
         });
     }
 
-    // Returns the part of a border between two rooms that has no wall although no portal and no exit is there.
+    // Returns whether a walker can step from one room into the other near this place.
+    bool is_crossed(const std::vector<Vec2>& crossings_m, const Vec2& at) const {
+        const double reach = kBesidePortal_m * on_paper_.mm_per_m + kBesidePortal_mm;
+        return std::any_of(crossings_m.begin(), crossings_m.end(),
+                           [&](const Vec2& crossing_m) { return glm::distance(on_paper_(crossing_m), at) <= reach; });
+    }
+
+    // Returns the part of a border between two rooms that has no wall although no portal, crossing or exit is there.
     WrongOpening leak_of(const plan::RoomBorder& border) const {
         WrongOpening leak{border.rooms, Vec2(0.0), {}};
         if (is_flight(border.rooms[0]) || is_flight(border.rooms[1])) return leak;
+        std::vector<Vec2> crossings_m;
+        for (const plan::StoreyCrossings& crossings : storey_.crossings)
+            if (crossings.rooms == border.rooms) crossings_m = crossings.places_m;
         for (const std::size_t square : border.squares) {
             const Vec2 at = middle(square);
             if (!leads_on(border, at) &&
-                std::none_of(storey_.portals.begin(), storey_.portals.end(), [&](const plan::StoreyPortal& portal) {
-                    return joins(portal, border) && glm::distance(on_paper_(portal.place_m), at) <= reach_mm(portal);
-                }))
+                std::none_of(storey_.portals.begin(), storey_.portals.end(),
+                             [&](const plan::StoreyPortal& portal) {
+                                 return joins(portal, border) &&
+                                        glm::distance(on_paper_(portal.place_m), at) <= reach_mm(portal);
+                             }) &&
+                !is_crossed(crossings_m, at))
                 leak.squares_mm.push_back(at);
         }
         if (static_cast<double>(leak.squares_mm.size()) * kInkPixel_mm < 2.0 * kLeastLeak_mm) leak.squares_mm.clear();

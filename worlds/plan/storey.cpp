@@ -590,6 +590,29 @@ private:
             made_.portals.push_back(
                 {portal.kind, {a->second, b->second}, {portal.place_m.x, portal.place_m.y}, portal.width_m});
         }
+        take_crossings();
+    }
+
+    // Finds the crossings between rooms whose floors the plan shows on both sides.
+    void take_crossings() {
+        const auto room_shown = [&](std::uint32_t span) {
+            const std::uint32_t room = graph_.room_of_span[span];
+            const auto cell = cell_at(space_.place_m(span));
+            const std::uint32_t there = cell ? made_.floor.room[*cell] : navigation::kNothing;
+            return there != navigation::kNothing && made_.rooms[there].room == room ? there : navigation::kNothing;
+        };
+        std::map<std::array<std::uint32_t, 2>, std::vector<Vec2>> places;
+        for (std::uint32_t span = 0; span < space_.spans.size(); ++span)
+            for (const std::uint32_t next : space_.spans[span].next) {
+                if (next == navigation::kNothing || next < span ||
+                    graph_.room_of_span[span] == graph_.room_of_span[next])
+                    continue;
+                const std::uint32_t a = room_shown(span), b = room_shown(next);
+                if (a == navigation::kNothing || b == navigation::kNothing) continue;
+                const Vec3 at = 0.5 * (space_.place_m(span) + space_.place_m(next));
+                places[{std::min(a, b), std::max(a, b)}].emplace_back(at.x, at.y);
+            }
+        for (auto& [rooms, at_m] : places) made_.crossings.push_back({rooms, std::move(at_m)});
     }
 
     // True if this plan of the storey shows the place where the portal's rooms adjoin. If both rooms are on both plans,
@@ -719,6 +742,8 @@ private:
         for (StoreyExit& exit : made_.exits) exit.room = kept[exit.room];
         for (StoreyPortal& portal : made_.portals)
             for (std::uint32_t& room : portal.rooms) room = kept[room];
+        for (StoreyCrossings& crossings : made_.crossings)
+            for (std::uint32_t& room : crossings.rooms) room = kept[room];
     }
 
     bool stands_in(const Barrier& barrier, const std::vector<Vec2>& open) const {

@@ -61,6 +61,13 @@ struct StoreyPortal {
     double width_m = 0.0;
 };
 
+// The places at which a walker can step from one room of the storey into another. A portal has one place and one width,
+// which do not describe an opening that runs around a corner.
+struct StoreyCrossings {
+    std::array<std::uint32_t, 2> rooms{};  // the two rooms, as indices into Storey::rooms, the lower one first
+    std::vector<Vec2> places_m;
+};
+
 struct StoreyStairs {
     std::uint32_t room = 0;  // the room in which the stairs begin or end, as an index into Storey::rooms
     std::vector<std::vector<Vec2>> loops_m;
@@ -115,6 +122,7 @@ struct Storey {
     std::vector<StoreyGap> gaps;
     std::vector<StoreyStairs> stairs_of_others;  // flights that belong to another storey and begin or end on this one
     std::vector<StoreyPortal> portals;
+    std::vector<StoreyCrossings> crossings;
     std::vector<StoreyExit> exits;
     std::optional<StoreyBase> base;
     int moving = 0;  // number of free bodies; `things` does not contain them, because they may be elsewhere tomorrow

@@ -62,6 +62,30 @@ TEST(Openings, beside_a_flight_of_stairs_need_no_wall) {
     EXPECT_TRUE(check_openings(drawn.walls.ink, open, drawn.on_paper).leaking.empty());
 }
 
+TEST(Openings, that_run_around_a_corner_have_no_bar) {
+    // The kitchen is around two sides of the other room, without a wall between them.
+    Storey open = two_rooms();
+    open.walls_m.resize(4);
+    open.gaps.clear();
+    open.things.clear();
+    open.rooms[0].loops_m = {{{0.25, 0.25}, {5.0, 0.25}, {5.0, 2.0}, {8.95, 2.0}, {8.95, 3.75}, {0.25, 3.75}}};
+    open.rooms[0].max_m = {8.95, 3.75};
+    open.rooms[1].loops_m = {{{5.0, 0.25}, {8.95, 0.25}, {8.95, 2.0}, {5.0, 2.0}}};
+    open.rooms[1].min_m = {5.0, 0.25};
+    open.rooms[1].max_m = {8.95, 2.0};
+    open.rooms[1].middle_m = {7.0, 1.1};
+    open.portals = {{PassageKind::Opening, {0, 1}, {5.0, 1.0}, 1.5}};
+    lay_floor(open);
+    const Drawn closed(open);
+    EXPECT_FALSE(check_openings(closed.walls.ink, open, closed.on_paper).leaking.empty());
+    StoreyCrossings crossings{{0, 1}, {}};
+    for (double y = 0.3; y < 2.0; y += 0.2) crossings.places_m.emplace_back(5.0, y);
+    for (double x = 5.1; x < 8.9; x += 0.2) crossings.places_m.emplace_back(x, 2.0);
+    open.crossings = {crossings};
+    const Drawn drawn(open);
+    EXPECT_TRUE(check_openings(drawn.walls.ink, open, drawn.on_paper).leaking.empty());
+}
+
 TEST(Openings, to_another_storey_have_no_bar) {
     Storey open = two_rooms();
     open.walls_m.pop_back();
