@@ -1,9 +1,11 @@
 #include "worlds/plan/storey_grid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "worlds/navigation/walk_space.h"
 
@@ -17,6 +19,7 @@ constexpr double kCrack_m = 0.1;  // a crack between walls that is narrower than
 // radius.
 constexpr double kBesideFloor_m = 0.45;
 constexpr double kDoorwayDeep_m = 2.0;  // greatest distance between the floors on both sides of a doorway
+constexpr double kLeastVoid_m2 = 1.0;   // a smaller area between floors, without a floor of its own, is not a void
 // Greatest distance from the floor to a wall of the storey; furniture or a machine may be between them.
 constexpr double kWallNear_m = 2.0;
 
@@ -42,6 +45,34 @@ std::optional<Vec2> nearest_floor_m(const Storey& storey, std::uint32_t room, co
             nearest = at_m;
     });
     return nearest;
+}
+
+// Returns the free squares without a room that are in one piece with at least `least` others, next to the floors of at
+// least two rooms. Walkways enclose such a piece. `beside`: the rooms whose floors are near.
+std::vector<std::size_t> squares_between_rooms(const RoomGrid& grid, const RoomGrid& beside, double least) {
+    std::vector<std::size_t> found;
+    std::vector<std::uint8_t> seen(grid.room.size(), 0);
+    const auto wide = static_cast<std::size_t>(grid.wide);
+    for (std::size_t first = 0; first < seen.size(); ++first) {
+        const auto is_free = [&](std::size_t square) {
+            return !seen[square] && !grid.blocked[square] && grid.room[square] == navigation::kNothing;
+        };
+        if (!is_free(first)) continue;
+        std::vector<std::size_t> piece{first};
+        std::set<std::uint32_t> rooms;
+        seen[first] = 1;
+        // The squares at the rim have a room, so a square in the piece has four neighbours.
+        for (std::size_t i = 0; i < piece.size(); ++i)
+            for (const std::size_t next : {piece[i] - 1, piece[i] + 1, piece[i] - wide, piece[i] + wide}) {
+                if (beside.room[next] != navigation::kNothing) rooms.insert(beside.room[next]);
+                if (!is_free(next)) continue;
+                seen[next] = 1;
+                piece.push_back(next);
+            }
+        if (rooms.size() > 1 && static_cast<double>(piece.size()) >= least)
+            found.insert(found.end(), piece.begin(), piece.end());
+    }
+    return found;
 }
 
 }  // namespace
@@ -167,7 +198,8 @@ void find_beyond(Storey& storey) {
         for (int i = 0; i <= steps; ++i) lay(*a + (*b - *a) * (static_cast<double>(i) / steps), kBesideFloor_m);
     }
 
-    // Finds the squares that can be reached from the rim without crossing a wall or a floor.
+    // Finds the squares that can be reached from the rim without crossing a wall or a floor, and the voids between
+    // rooms.
     const StoreyGrid squares = StoreyGrid::of(storey);
     RoomGrid grid = squares.walls();
     const std::vector<std::uint8_t> walls = grid.blocked;
@@ -177,18 +209,28 @@ void find_beyond(Storey& storey) {
             if (walls[grid.at(x, y)])
                 for_disc(grid.wide, grid.high, Vec2(x + 0.5, y + 0.5), crack,
                          [&](int i, int j) { grid.blocked[grid.at(i, j)] = 1; });
+    for (const StoreyThing& thing : storey.things) {
+        const std::array<Vec2, 4> corners = thing.box.corners_m();
+        squares.block(grid, PlanOutline(corners.begin(), corners.end()));
+    }
     const auto cell_of = [&](std::size_t square) {
         const Vec2 at = (squares.middle(grid, square) - storey.min_m) / floor.cell_m;
         return cell(std::min(static_cast<int>(at.x), floor.wide - 1), std::min(static_cast<int>(at.y), floor.high - 1));
     };
+    RoomGrid beside = grid;  // the floors, and the squares near them on the same side of a wall
     for (std::size_t i = 0; i < grid.room.size(); ++i) {
         const int x = static_cast<int>(i % static_cast<std::size_t>(grid.wide));
         const int y = static_cast<int>(i / static_cast<std::size_t>(grid.wide));
         const bool rim = x == 0 || y == 0 || x == grid.wide - 1 || y == grid.high - 1;
-        if (near_floor[cell_of(i)]) grid.blocked[i] = 1;
+        (near_floor[cell_of(i)] ? grid : beside).blocked[i] = 1;
+        if (beside.room[i] == storey.rooms.size()) beside.room[i] = navigation::kNothing;
         grid.room[i] = rim ? 0 : navigation::kNothing;
     }
     spread_rooms(grid);
+    spread_rooms(beside);
+    for (const std::size_t square :
+         squares_between_rooms(grid, beside, kLeastVoid_m2 / std::pow(squares.square_m(), 2)))
+        grid.room[square] = 0;
     for (std::size_t i = 0; i < grid.room.size(); ++i)
         if (grid.room[i] != navigation::kNothing) floor.beyond[cell_of(i)] = 1;
     // The cell of a wall's square is not beyond the floors, because a room may be on the other side of a thin wall.

@@ -121,6 +121,36 @@ TEST(FloorEdges, run_along_the_floor_next_to_a_wide_opening_between_rooms) {
     EXPECT_TRUE(sheet->broken.empty());
 }
 
+TEST(FloorEdges, are_around_a_void_that_walkways_enclose) {
+    // Two walkways, each around half of a void of 6 by 6 m, meet at both of their ends.
+    Storey storey = two_platforms();
+    storey.max_m = {13.0, 13.0};
+    storey.rooms[0].loops_m = {
+        {{1.0, 1.0}, {6.5, 1.0}, {6.5, 3.5}, {3.5, 3.5}, {3.5, 9.5}, {6.5, 9.5}, {6.5, 12.0}, {1.0, 12.0}}};
+    storey.rooms[1].loops_m = {
+        {{12.0, 1.0}, {12.0, 12.0}, {6.5, 12.0}, {6.5, 9.5}, {9.5, 9.5}, {9.5, 3.5}, {6.5, 3.5}, {6.5, 1.0}}};
+    storey.rooms[0].min_m = {1.0, 1.0};
+    storey.rooms[0].max_m = {6.5, 12.0};
+    storey.rooms[0].middle_m = {2.2, 6.5};
+    storey.rooms[1].min_m = {6.5, 1.0};
+    storey.rooms[1].max_m = {12.0, 12.0};
+    storey.rooms[1].middle_m = {10.7, 6.5};
+    storey.portals = {{PassageKind::Opening, {0, 1}, {6.5, 2.2}, 2.5},
+                      {PassageKind::Opening, {0, 1}, {6.5, 10.7}, 2.5}};
+    lay_floor(storey);
+    find_beyond(storey);
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet);
+    EXPECT_FALSE(says(*sheet, "Drawn closed")) << sheet->plan.text;
+    EXPECT_GE(lines_along(*sheet, {3.9, 4.5}, {3.9, 8.5}), enough_lines(*sheet, 4.0));
+    EXPECT_GE(lines_along(*sheet, {9.1, 4.5}, {9.1, 8.5}), enough_lines(*sheet, 4.0));
+    // A table there is no void.
+    storey.things.push_back({FeatureId{1}, "Table", {{6.5, 6.5}, {1.0, 0.0}, {2.9, 2.9}}, false});
+    find_beyond(storey);
+    EXPECT_TRUE(std::count(storey.floor.beyond.begin(), storey.floor.beyond.end(), 1) > 0);
+    EXPECT_EQ(storey.floor.beyond[static_cast<std::size_t>(32 * storey.floor.wide + 32)], 0);
+}
+
 TEST(FloorEdges, have_no_line_where_a_route_leads_to_another_storey) {
     Storey storey = two_platforms();
     storey.exits.push_back({PassageKind::Opening, 0, "Hall", {3.0, 4.0}, 2.0});
@@ -146,9 +176,12 @@ TEST(FloorEdges, part_floors_with_nothing_between_without_a_wall) {
 }
 
 TEST(FloorEdges, are_not_within_walls_on_one_of_several_sheets) {
-    // A pit in the kitchen continues beyond the rim of the sheet, where the sheet has no walls.
+    // A pit in the kitchen continues beyond the rim of the sheet, where the sheet has no walls. No door leads into it.
     Storey storey = two_rooms();
     storey.things.clear();
+    storey.gaps.clear();
+    storey.portals.clear();
+    storey.walls_m.push_back({{6.0, 1.5}, {6.2, 1.5}, {6.2, 2.5}, {6.0, 2.5}});
     storey.rooms[0].loops_m = {{{0.25, 0.25}, {2.0, 0.25}, {2.0, 3.75}, {0.25, 3.75}}};
     storey.rooms[0].max_m.x = 2.0;
     storey.rooms[0].middle_m.x = 1.1;
