@@ -120,14 +120,6 @@ private:
         return {};
     }
 
-    // Cuts walls off at the edge of the part shown. Also removes walls of other parts of the building from the space of
-    // the title.
-    void cut_to_sheet() {
-        Ink& ink = walls_.ink;
-        for (int y = 0; y < ink.high; ++y)
-            for (int x = 0; x < ink.wide; ++x)
-                if (is_beyond(x, y)) ink.black[ink.at(x, y)] = 0;
-    }
     bool is_beyond(int x, int y) const {
         const Vec2 at = Vec2(x + 0.5, y + 0.5) * kInkPixel_mm;
         return at.x < low_mm_.x || at.y < low_mm_.y || at.x > high_mm_.x || at.y > high_mm_.y;
@@ -154,13 +146,13 @@ private:
         walls_ = ink_of_walls(storey_, on_paper_, made_.plan.width_mm, made_.plan.height_mm, look);
         mended_ = mend_openings(walls_.ink, storey_, on_paper_, look);
         if (made_.part) whole_ = rooms_on(walls_.ink, storey_, on_paper_);
-        cut_to_sheet();
+        cut_off(walls_.ink, low_mm_, high_mm_, kLeastPiece_mm);
         hollow_ = hollow_out(walls_.ink, kHollowFrom_mm, kWallLine_mm, kHollowLong_mm);
         rooms_ = rooms_on(walls_within_part(), storey_, on_paper_);
         if (!made_.part) whole_ = rooms_;
         rungs_ = stair_rungs(storey_, on_paper_, rooms_, Places(walls_.ink, kClear_mm, low_mm_, high_mm_), walls_.ink,
                              kThinLine_mm, kClear_mm, kLeastStair_mm);
-        cut_to_sheet();
+        cut_off(walls_.ink, low_mm_, high_mm_, kLeastPiece_mm);
         made_.plan.shapes.push_back({traced_mm(walls_.ink), kWallPart});
         places_ = Places(walls_.ink, kClear_mm, low_mm_, high_mm_);
         beside_things_ = places_;

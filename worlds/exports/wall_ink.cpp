@@ -141,6 +141,34 @@ std::size_t join_near(Ink& walls, double clear_mm) {
     return joined;
 }
 
+void cut_off(Ink& walls, const Vec2& low_mm, const Vec2& high_mm, double least_mm) {
+    // Returns how far inside the rectangle the pixel is; negative if it is outside.
+    const auto depth_mm = [&](std::size_t pixel) {
+        const auto wide = static_cast<std::size_t>(walls.wide);
+        const Vec2 at = (Vec2(pixel % wide, pixel / wide) + Vec2(0.5)) * kInkPixel_mm;
+        const Vec2 inside = glm::min(at - low_mm, high_mm - at);
+        return std::min(inside.x, inside.y);
+    };
+    std::vector<std::uint8_t> was_cut(walls.black.size(), 0);
+    const auto cut_next_to = [&](std::size_t pixel) {
+        const auto wide = static_cast<std::size_t>(walls.wide);
+        for (const std::size_t next : {pixel - 1, pixel + 1, pixel - wide, pixel + wide})
+            if (next < was_cut.size() && was_cut[next]) return true;
+        return false;
+    };
+    for (std::size_t i = 0; i < walls.black.size(); ++i)
+        if (walls.black[i] && depth_mm(i) < 0.0) walls.black[i] = 0, was_cut[i] = 1;
+    const InkPieces pieces = pieces_of(walls);
+    std::vector<std::uint8_t> touches(pieces.pixels.size(), 0), deep(pieces.pixels.size(), 0);
+    for (std::size_t i = 0; i < pieces.of.size(); ++i) {
+        if (!pieces.of[i]) continue;
+        if (depth_mm(i) >= least_mm) deep[pieces.of[i]] = 1;
+        if (cut_next_to(i)) touches[pieces.of[i]] = 1;
+    }
+    for (std::size_t i = 0; i < pieces.of.size(); ++i)
+        if (touches[pieces.of[i]] && !deep[pieces.of[i]]) walls.black[i] = 0;
+}
+
 WallInk ink_of_walls(const plan::Storey& storey, const OnPaper& on_paper, double width_mm, double height_mm,
                      const WallLook& look) {
     return Inker(storey, on_paper, look).make(width_mm, height_mm);

@@ -47,6 +47,10 @@ WallInk ink_of_walls(const plan::Storey& storey, const OnPaper& on_paper, double
 // Fills the gaps between lines that are narrower than `clear_mm`. Returns the number of gaps.
 std::size_t join_near(Ink& walls, double clear_mm);
 
+// Removes the walls outside a rectangle. Also removes the ends of cut walls that reach less than `least_mm` into it,
+// because a finger would take them for things.
+void cut_off(Ink& walls, const Vec2& low_mm, const Vec2& high_mm, double least_mm);
+
 // The lines across flights of stairs. stair_lines draws lines `clear_mm` apart across every flight, even if its floor
 // is in several pieces, and marks their space in `places` as used. It leaves out lines shorter than `least_mm`. It also
 // leaves out lines of another storey's flight outside the room to which that flight leads. `rooms`: see rooms_on.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <regex>
 #include <set>
 
@@ -518,6 +519,19 @@ TEST(SwellSheets, repeat_at_a_larger_scale_what_is_too_small_for_its_sign) {
     stand_in_their_rooms(storey, larger, "larger");
 }
 
+TEST(LargePlan, comes_out_as_several_sheets_that_keep_their_promises) {
+    if (!std::getenv("HANDRAIL_ALL_ROUTES")) GTEST_SKIP() << "takes minutes; HANDRAIL_ALL_ROUTES=1 tries it";
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for one sheet of our house, over many pixels";
+    const NamedStoreys* world = storeys_of("apb-tu-dresden.osm");
+    if (!world) GTEST_SKIP() << needs_real_world("apb-tu-dresden.osm");
+    ASSERT_GE(world->storeys.size(), 2U);
+    const Result<std::vector<SwellSheet>> sheets = swell_sheets(world->storeys[1], {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheets) << sheets.error().sentence();
+    EXPECT_GT(sheets->size(), 5U);
+    for (const SwellSheet& sheet : *sheets)
+        EXPECT_THAT(sheet.broken, testing::IsEmpty()) << "sheet " << sheet.part->number;
+}
+
 TEST(SwellSheet, makes_doors_wide_enough_for_a_finger_and_reports_it) {
     Storey storey = two_rooms();
     storey.max_m = {80.0, 40.0};  // makes the scale 1 to 300, at which the door is 3.3 mm wide
@@ -701,6 +715,28 @@ TEST(SwellSheet, of_several_joins_no_rooms_by_ending_in_a_third) {
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1}, part, letters);
     ASSERT_TRUE(sheet);
     EXPECT_THAT(sheet->broken, testing::IsEmpty());
+}
+
+TEST(SwellSheet, of_several_has_no_specks_of_walls_at_its_rim) {
+    Storey storey = two_rooms();
+    storey.things.clear();
+    storey.base.reset();
+    SheetPart part;
+    part.min_m = storey.min_m;
+    part.max_m = {9.7, 2.0};
+    part.one_to = 50.0;
+    // Walls of another part of the building reach 3 mm into the sheet. At the corner of two of them, a finger would not
+    // fit in between.
+    storey.walls_m.push_back({{1.0, 1.85}, {2.0, 1.85}, {2.0, 3.0}, {1.0, 3.0}});
+    storey.walls_m.push_back({{3.5, 1.82}, {5.43, 2.34}, {5.41, 2.41}, {3.48, 1.89}});
+    storey.walls_m.push_back({{3.5, 1.82}, {3.24, 2.79}, {3.31, 2.81}, {3.57, 1.84}});
+    std::vector<std::string> letters;
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1}, part, letters);
+    ASSERT_TRUE(sheet);
+    EXPECT_THAT(sheet->broken, testing::IsEmpty());
+    const Ink ink = ink_of(sheet->plan);
+    EXPECT_FALSE(black_at(ink, sheet->on_paper({1.5, 1.92})));
+    EXPECT_FALSE(black_at(ink, sheet->on_paper({3.55, 1.87})));
 }
 
 TEST(SwellSheet, states_which_stairs_have_no_lines) {
