@@ -38,6 +38,7 @@ enum class SpeechTopic : std::uint8_t {
     Praise,   // feedback of a lesson on the step that the person made; treated like Summary
     Heading,  // the direction that the person faces; the newest line replaces older ones
     Steps,    // number of steps that the person walked; any other line may delay it, and it expires
+    Arrival,  // the person has arrived at a thing; treated like Place
 };
 
 // A set of topics, as bits.

@@ -10,12 +10,13 @@ namespace {
 constexpr double kKeepSteps_s = 2.0;
 
 bool replaces(SpeechTopic topic) {
-    return topic == SpeechTopic::Place || topic == SpeechTopic::Leg || topic == SpeechTopic::Heading;
+    return topic == SpeechTopic::Place || topic == SpeechTopic::Arrival || topic == SpeechTopic::Leg ||
+           topic == SpeechTopic::Heading;
 }
 
 bool made_anew(SpeechTopic topic) {
-    return topic == SpeechTopic::Place || topic == SpeechTopic::Summary || topic == SpeechTopic::Leg ||
-           topic == SpeechTopic::Lesson || topic == SpeechTopic::Praise;
+    return topic == SpeechTopic::Place || topic == SpeechTopic::Arrival || topic == SpeechTopic::Summary ||
+           topic == SpeechTopic::Leg || topic == SpeechTopic::Lesson || topic == SpeechTopic::Praise;
 }
 
 }  // namespace

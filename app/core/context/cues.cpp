@@ -22,7 +22,8 @@ void Cues::say(std::string text, cues::SpeechClass speech_class, double now_s) {
 }
 
 void Cues::tell(cues::SpeechTopic topic, std::string text, double now_s, const Telling& how) {
-    const bool guidance = !how.answers && (topic == cues::SpeechTopic::Place || topic == cues::SpeechTopic::Leg);
+    const bool guidance = !how.answers && (topic == cues::SpeechTopic::Place || topic == cues::SpeechTopic::Arrival ||
+                                           topic == cues::SpeechTopic::Leg);
     cues::CueRequest request;
     request.kind = cues::CueRequestKind::Say;
     request.time_s = now_s;

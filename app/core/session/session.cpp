@@ -147,8 +147,10 @@ void Session::say_anew(cues::SpeechTopics topics, double now_s) {
     for (const cues::SpeechTopic topic : {cues::SpeechTopic::Praise, cues::SpeechTopic::Lesson})
         if (topics.has(topic)) lesson_session_.tell_anew(topic, now_s);
     if (!state_.world.scene) return;
-    if (topics.has(cues::SpeechTopic::Place) && !where_.rooms.tell_here_anew(now_s))
+    if (topics.has(cues::SpeechTopic::Place) && !guide_.tell_arrival_anew(cues::SpeechTopic::Place, now_s) &&
+        !where_.rooms.tell_here_anew(now_s))
         state_.context.tell(cues::SpeechTopic::Place, where_am_i(), now_s, {.anew = true, .answers = true});
+    if (topics.has(cues::SpeechTopic::Arrival)) guide_.tell_arrival_anew(cues::SpeechTopic::Arrival, now_s);
     for (const cues::SpeechTopic topic : {cues::SpeechTopic::Summary, cues::SpeechTopic::Leg})
         if (topics.has(topic)) guide_.tell_anew(topic, now_s);
 }

@@ -50,6 +50,7 @@ void Guide::enter_world() {
     help_limit_.reset();
     plans_.enter_world();
     ear_.stop();
+    arrival_.forget();
     ground_.enter_world();
     hand_.enter_world();
     seek_.enter_world();
@@ -96,6 +97,7 @@ void Guide::follow(double now_s) {
     if (plans_.by_hand()) plans_.pass(finding_place_m(context_));
     else if (plans_.running()) plans_.pass(ear_.along_m());
     ear_.renew();
+    const bool to_room = ear_.leads_to_room();
     const RouteFollower::Said said = ear_.tick(now_s);
     const std::string name = ear_.name();
     if (said.left) {
@@ -107,7 +109,7 @@ void Guide::follow(double now_s) {
         if (said.arrived) context_.play(cues::SoundKind::Arrived, now_s);
         if (said.arrived && plans_.runs_to(name) && next_stop(said.text, now_s)) return;
         if (!said.arrived) return ear_.tell_leg_unasked(said.text, false, now_s);
-        context_.tell(cues::SpeechTopic::Place, said.text, now_s, {.anew = true});
+        arrival_.tell(said.text, {.room = to_room, .led = on_route()}, now_s);
         context_.events.tell(Arrived{name, LedBy::Ear, ear_.to_nearest()}, now_s);
         plans_.end();
         if (beacon().name() == name) silence_beacon();
@@ -133,19 +135,24 @@ void Guide::lead(double now_s) {
     if (arrival->to_nearest) plans_.end();
     if (plans_.runs_to(name) && plans_.by_hand() && next_stop(phrase("ways.reached", {{"stop", name}}), now_s)) return;
     context_.events.tell(Arrived{name, arrival->by_pull ? LedBy::Hand : LedBy::Lines, arrival->to_nearest}, now_s);
-    context_.answer(phrase(arrival->to_nearest ? "lead.nearest_place" : "lead.here", {{"goal", name}}), now_s);
+    arrival_.tell(phrase(arrival->to_nearest ? "lead.nearest_place" : "lead.here", {{"goal", name}}),
+                  {.answers = true, .led = on_route()}, now_s);
 }
 
 void Guide::call(double now_s) {
     if (seek_.tick_beacon(now_s)) {
         // The route ends together with the beacon, so that the arrival is announced only once.
         if (ear_.name() == beacon().name() && !plans_.running()) ear_.stop();
-        context_.play(cues::SoundKind::Arrived, now_s);
         context_.events.tell(Arrived{beacon().name(), LedBy::Beacon}, now_s);
-        context_.tell(cues::SpeechTopic::Place, phrase("lead.here", {{"goal", beacon().name()}}), now_s,
-                      {.answers = true});
+        tell_found(beacon().name(), now_s);
     }
-    seek_.tick_warmer(now_s);
+    if (seek_.tick_warmer(now_s)) tell_found(seek_.warmer().name(), now_s);
+}
+
+// Announces that the person has found a thing by its sound.
+void Guide::tell_found(const std::string& name, double now_s) {
+    context_.play(cues::SoundKind::Arrived, now_s);
+    arrival_.tell(phrase("lead.here", {{"goal", name}}), {.answers = true, .led = on_route()}, now_s);
 }
 
 // ---- following a saved route ----

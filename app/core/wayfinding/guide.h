@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/core/context/session_part.h"
+#include "app/core/wayfinding/arrival.h"
 #include "app/core/wayfinding/finding.h"
 #include "app/core/wayfinding/hand_lead.h"
 #include "app/core/wayfinding/seek.h"
@@ -28,6 +29,7 @@ public:
           planned_(context, rooms),
           plans_(context, rooms),
           ground_(context, rooms),
+          arrival_(context),
           ear_(context, rooms, plans_, ground_),
           hand_(context, rooms, plans_, doors),
           seek_(context, rooms, plans_, doors) {}
@@ -43,6 +45,11 @@ public:
     void call(double now_s);
     // Announces the whole route or its next leg once more, because the line about it was cut off.
     void tell_anew(cues::SpeechTopic topic, double now_s);
+    // Announces an arrival once more, because the line about it was cut off. Returns false if there is no such arrival
+    // or it no longer holds.
+    bool tell_arrival_anew(cues::SpeechTopic topic, double now_s) {
+        return arrival_.tell_anew(topic, on_route(), now_s);
+    }
 
     // ---- for other features ----
     // Follows the stops of a saved route, guided by the hand or by ear. If necessary, leads to the first stop before
@@ -81,7 +88,7 @@ public:
     bool leads_hand() const { return hand_.at_work() || hand_.lines_at_work(); }
     bool may_lead_hand() const { return hand_.may_lead() && hand_.force_may_act(); }
     // Returns true while the hand is guided, a route is followed by ear, or the beacon is on.
-    bool leads() const { return ear_.following() || hand_.at_work() || beacon().on(); }
+    bool leads() const { return on_route() || beacon().on(); }
     // Ends all guidance silently.
     void leave_way();
     void change_help(int by) { laps_.change(by); }
@@ -113,6 +120,8 @@ public:
     const servo::GuidancePath& path() const { return hand_.path(); }
 
 private:
+    bool on_route() const { return ear_.following() || hand_.at_work(); }
+    void tell_found(const std::string& name, double now_s);
     void list_routes(double now_s);
     void list_storeys(double now_s);
     void open_find(double now_s);
@@ -136,6 +145,7 @@ private:
     std::optional<double> help_limit_;
     RoutePlans plans_;
     DirectionsGround ground_;
+    Arrival arrival_;
     SpokenRoute ear_;
     HandLead hand_;
     Seek seek_;

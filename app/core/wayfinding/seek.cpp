@@ -176,8 +176,8 @@ bool Seek::tick_beacon(double now_s) {
     return beat.arrived;
 }
 
-void Seek::tick_warmer(double now_s) {
-    if (!warmer_.on()) return;
+bool Seek::tick_warmer(double now_s) {
+    if (!warmer_.on()) return false;
     AlongRoute& along = warmer_along_;
     const bool hand = context_.hands.known(), tried = along.way.tried();
     const Vec3 place = finding_place_m(context_), thing = nearest_place(warmer_.thing_m(), place);
@@ -203,9 +203,7 @@ void Seek::tick_warmer(double now_s) {
         tick.pitch = 1.0 + kPitch * beat.nearer;
         context_.cues.cue(std::move(tick));
     }
-    if (!beat.found) return;
-    context_.play(cues::SoundKind::Arrived, now_s);
-    context_.tell(cues::SpeechTopic::Place, phrase("lead.here", {{"goal", warmer_.name()}}), now_s, {.answers = true});
+    return beat.found;
 }
 
 }  // namespace handrail::core

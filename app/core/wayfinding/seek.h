@@ -39,9 +39,9 @@ public:
     std::string warmer_words(double now_s) { return words(warmer_along_, warmer_, context_.hands.known(), now_s); }
 
     // Each function plays the sound of its tool when it is due, while the tool is on. A tool ends automatically when
-    // the thing is found. tick_beacon() returns true if the person has just reached the beacon.
+    // the thing is found. The functions return true if the person has just found it.
     bool tick_beacon(double now_s);
-    void tick_warmer(double now_s);
+    bool tick_warmer(double now_s);
     // Announces again how both tools guide now, because a line about that was cut off.
     void tell_anew(double now_s);
 

@@ -33,6 +33,7 @@ public:
     void follow_again(const std::string& first, double now_s);
     void stop();
     bool following() const { return follower_.following(); }
+    bool leads_to_room() const { return room_.has_value(); }  // returns true if the goal is a room that can be reached
     bool plans_legs() const { return word_.awaited(); }
     bool plans_rest() const { return word_.at_work() && !word_.whole(); }
     // Returns the name of the goal or of the nearest place to it, as announced. The name is kept after the route has

@@ -88,7 +88,7 @@ TEST_F(SpeechOrderTest, lines_of_one_key_follow_each_other_whatever_their_time) 
 }
 
 TEST_F(SpeechOrderTest, the_newest_leg_room_and_heading_replace_older_ones) {
-    for (const SpeechTopic topic : {SpeechTopic::Leg, SpeechTopic::Place, SpeechTopic::Heading}) {
+    for (const SpeechTopic topic : {SpeechTopic::Leg, SpeechTopic::Place, SpeechTopic::Arrival, SpeechTopic::Heading}) {
         const bool answer = topic == SpeechTopic::Heading;
         const SpeechClass speech_class = answer ? SpeechClass::Answer : SpeechClass::Guidance;
         add("An older line that is cut", speech_class, topic);
@@ -120,6 +120,18 @@ TEST_F(SpeechOrderTest, what_a_key_cuts_is_due_again_at_the_first_pause_of_a_sec
     EXPECT_EQ(owed.size(), 1U) << "each once";
     EXPECT_THAT(heard(), IsEmpty());
     EXPECT_THAT(written(), IsEmpty()) << "the line that is made anew is written";
+}
+
+TEST_F(SpeechOrderTest, an_arrival_at_once_after_a_room_replaces_neither) {
+    add("Kitchen, with many more words than that", SpeechClass::Guidance, SpeechTopic::Place);
+    wait(0.1);
+    add("Here: Refrigerator", SpeechClass::Answer, SpeechTopic::Arrival);
+    wait(0.3);
+    key();
+    wait(2.0);
+    ASSERT_EQ(owed.size(), 1U);
+    EXPECT_TRUE(owed[0].has(SpeechTopic::Arrival)) << "the key cut it";
+    EXPECT_TRUE(owed[0].has(SpeechTopic::Place)) << "the arrival cut it";
 }
 
 TEST_F(SpeechOrderTest, a_newer_line_of_the_topic_pays_what_is_owed) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,37 @@ inline std::vector<std::string> unheard(const RecordingSpeech& voice, const std:
         for (const HeardSpeech& line : voice.lines())
             if (line.utterance.topic == topic) last = &line;
         if (last && (!last->voiced || last->cut)) missing.push_back(last->utterance.text);
+    }
+    return missing;
+}
+
+// A line as a voice spoke it.
+struct Spoken {
+    double time_s = 0.0;
+    std::string text;
+    bool in_full = false;
+    SpeechTopic topic = SpeechTopic::None;
+};
+
+// A text that the person must hear in full between two times. What must be heard follows from the session's events, not
+// from its lines. So a line that the session never says is missing, too.
+struct MustHear {
+    double from_s = 0.0, until_s = 0.0;
+    std::string text;
+    // If it is not None, only a line about this topic counts: "Study door is shut" does not name the room.
+    SpeechTopic topic = SpeechTopic::None;
+};
+
+// Returns the texts that no line contained, or only a line that was not heard in full.
+inline std::vector<std::string> never_heard(const std::vector<MustHear>& all, const std::vector<Spoken>& lines) {
+    std::vector<std::string> missing;
+    for (const MustHear& must : all) {
+        const bool heard = std::any_of(lines.begin(), lines.end(), [&](const Spoken& line) {
+            return line.in_full && (must.topic == SpeechTopic::None || line.topic == must.topic) &&
+                   line.time_s >= must.from_s && line.time_s < must.until_s &&
+                   line.text.find(must.text) != std::string::npos;
+        });
+        if (!heard) missing.push_back(fmt::format("{} at {:.1f} s", must.text, must.from_s));
     }
     return missing;
 }

@@ -63,7 +63,7 @@ void hear(const std::string& name, double words_per_minute) {
     const std::string how = fmt::format("{}, {} words a minute:\n{}", name, words_per_minute, test::told(voice));
     // A person who presses a stop key does not want to hear the lines.
     if (stops(scenario)) return;
-    EXPECT_THAT(test::unheard(voice, {SpeechTopic::Place}), IsEmpty()) << how;
+    EXPECT_THAT(test::unheard(voice, {SpeechTopic::Place, SpeechTopic::Arrival}), IsEmpty()) << how;
     // If the first minutes have reached their last step, these lines are no longer valid.
     if (how.find("What to do next") == std::string::npos) {
         EXPECT_THAT(test::unheard(voice, {SpeechTopic::Praise, SpeechTopic::Lesson}), IsEmpty()) << how;

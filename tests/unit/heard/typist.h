@@ -20,6 +20,7 @@
 #include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/unit/heard/heard.h"
+#include "worlds/base/language.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail::test {
@@ -40,6 +41,9 @@ public:
                                     of_scenarios = project_root() / "tests" / "scenarios" / "worlds" / file;
         auto scene = read_world((std::filesystem::exists(ours) ? ours : of_scenarios).string());
         if (!scene) throw std::runtime_error(scene.error().sentence());
+        for (const Feature& feature : scene->features)
+            if (feature.kind == FeatureKind::Door && !feature.bounds_m.empty())
+                frames_.push_back({feature.name, feature.bounds_m});
         session_.app().apply(WorldEntered{make_ready(std::make_shared<const Scene>(std::move(*scene)))}, now_s());
         wait(kAfterLastKey_s);
         entered_s = now_s();
@@ -50,9 +54,8 @@ public:
         for (const double until_s = now_s() + seconds; now_s() < until_s - 1e-9;) {
             session_.advance();
             if (each_ms_) each_ms_();
-            for (SessionEvent& event : app().take_events())
-                if (const auto* room = std::get_if<RoomEntered>(&event.what))
-                    rooms.push_back({event.time_s, room->name});
+            for (SessionEvent& event : app().take_events()) note(event);
+            note_doors();
         }
     }
     void pause() { wait(pauses_s_[next_pause_++ % pauses_s_.size()]); }
@@ -83,18 +86,68 @@ public:
     }
     void finish() { wait(kAfterLastKey_s); }
 
+    // Returns the names of the rooms that the person must hear while in them. Omits rooms that the person left in less
+    // than `stay_s`.
+    std::vector<MustHear> rooms_to_hear(double stay_s) const {
+        std::vector<MustHear> all;
+        for (std::size_t i = 0; i < rooms.size(); ++i) {
+            const double left_s = i + 1 < rooms.size() ? rooms[i + 1].time_s : now_s();
+            if (rooms[i].time_s < entered_s || left_s - rooms[i].time_s < stay_s) continue;
+            all.push_back({rooms[i].time_s - 0.1, left_s, sentence_case(rooms[i].name), SpeechTopic::Place});
+        }
+        return all;
+    }
+
     struct Entered {
         double time_s;
         std::string name;
     };
     std::vector<Entered> rooms;
+    std::vector<std::string> doors;  // the doors through which the walker went
+    // The summaries of routes that began, and the announcements of arrivals.
+    std::vector<MustHear> summaries, arrivals;
     double entered_s = 0.0;
 
 private:
+    void note(const SessionEvent& event) {
+        constexpr double kHolds_s = 20.0;  // a line that was cut is said again within this time
+        const double from_s = event.time_s - 0.1, until_s = event.time_s + kHolds_s;
+        if (const auto* room = std::get_if<RoomEntered>(&event.what)) rooms.push_back({event.time_s, room->name});
+        if (const auto* led = std::get_if<Led>(&event.what); led && led->by == LedBy::Ear)
+            summaries.push_back({from_s, until_s, fmt::format("To {}.", led->goal)});
+        if (const auto* arrived = std::get_if<Arrived>(&event.what))
+            arrivals.push_back({from_s, until_s,
+                                arrived->by == LedBy::Ear
+                                    ? phrase("route.arrived", {{"goal", sentence_case(arrived->goal)}})
+                                    : phrase("lead.here", {{"goal", arrived->goal}})});
+    }
+
+    // The place of a door in the file, where every door is shut, and the side on which the walker was last.
+    struct Frame {
+        std::string name;
+        Aabb box_m;
+        int side = 0;
+    };
+    // Notes each door whose middle plane the walker has just crossed within its frame.
+    void note_doors() {
+        const Vec3 feet_m = app().feet_m();
+        for (Frame& door : frames_) {
+            const Aabb& box_m = door.box_m;
+            const bool faces_north = box_m.max_m.x - box_m.min_m.x > box_m.max_m.y - box_m.min_m.y;
+            const Vec3 off_m = feet_m - box_m.centre_m();
+            const int side = (faces_north ? off_m.y : off_m.x) > 0.0 ? 1 : -1;
+            const bool in_frame = faces_north ? feet_m.x > box_m.min_m.x && feet_m.x < box_m.max_m.x
+                                              : feet_m.y > box_m.min_m.y && feet_m.y < box_m.max_m.y;
+            const bool on_storey = feet_m.z > box_m.min_m.z - 0.5 && feet_m.z < box_m.max_m.z;
+            if (std::exchange(door.side, side) == -side && in_frame && on_storey) doors.push_back(door.name);
+        }
+    }
+
     SpeechSink& speech_;
     std::vector<double> pauses_s_;
     std::size_t next_pause_ = 0;
     std::function<void()> each_ms_;
+    std::vector<Frame> frames_;
     HeadlessSession session_;
 };
 
@@ -112,22 +165,12 @@ public:
         enter(file);
     }
 
-    // Returns the rooms whose names were not heard while the typist was in them. Omits rooms that the typist left in
-    // less than `stay_s`.
-    std::vector<std::string> rooms_not_heard(double stay_s) const {
-        std::vector<std::string> missing;
-        for (std::size_t i = 0; i < rooms.size(); ++i) {
-            const double left_s = i + 1 < rooms.size() ? rooms[i + 1].time_s : now_s();
-            if (rooms[i].time_s < entered_s || left_s - rooms[i].time_s < stay_s) continue;
-            const std::string name = sentence_case(rooms[i].name);
-            const auto& lines = voice.lines();
-            const bool heard = std::any_of(lines.begin(), lines.end(), [&](const HeardSpeech& said) {
-                return said.time_s >= rooms[i].time_s - 0.1 && said.time_s < left_s && in_full(said, now_s()) &&
-                       said.utterance.text.find(name) != std::string::npos;
-            });
-            if (!heard) missing.push_back(fmt::format("{} at {:.1f} s", name, rooms[i].time_s));
-        }
-        return missing;
+    // Returns the lines as the typist heard them.
+    std::vector<Spoken> spoken() const {
+        std::vector<Spoken> lines;
+        for (const HeardSpeech& said : voice.lines())
+            lines.push_back({said.time_s, said.utterance.text, in_full(said, now_s()), said.utterance.topic});
+        return lines;
     }
     std::string all() const { return told(voice); }
 };

@@ -43,9 +43,10 @@ TEST_P(Paced, who_walks_through_the_house_hears_rooms_and_the_whole_of_a_route) 
     // If a stay is shorter than two pauses and the announcement of a name, it may end before the voice has any time to
     // speak.
     const double stay_s = GetParam().pause_s < 2.0 ? kAfterLastKey_s : 2.0 * GetParam().pause_s + 3.0;
-    EXPECT_THAT(typist.rooms_not_heard(stay_s), IsEmpty()) << typist.all();
+    EXPECT_THAT(test::never_heard(typist.rooms_to_hear(stay_s), typist.spoken()), IsEmpty()) << typist.all();
     EXPECT_FALSE(typist.rooms.empty());
-    EXPECT_THAT(test::unheard(typist.voice, {SpeechTopic::Place, SpeechTopic::Lesson}), IsEmpty()) << typist.all();
+    EXPECT_THAT(test::unheard(typist.voice, {SpeechTopic::Place, SpeechTopic::Arrival, SpeechTopic::Lesson}), IsEmpty())
+        << typist.all();
     if (typist.app().guide().leads()) {
         EXPECT_THAT(test::unheard(typist.voice, {SpeechTopic::Summary, SpeechTopic::Leg}), IsEmpty()) << typist.all();
     }
@@ -61,6 +62,28 @@ TEST_P(Paced, who_asks_for_a_route_and_walks_on_at_once_hears_how_it_goes) {
     ASSERT_TRUE(typist.app().guide().leads());
     EXPECT_THAT(test::unheard(typist.voice, {SpeechTopic::Summary, SpeechTopic::Leg}), IsEmpty()) << typist.all();
     EXPECT_THAT(typist.all(), ::testing::HasSubstr("steps in all"));
+}
+
+// A person who arrives and presses the next key at once must still hear that they have arrived.
+TEST_P(Paced, who_presses_a_key_on_arrival_hears_the_arrival_afterwards) {
+    for (const char* goal : {"find desk", "routes study"}) {
+        Typist typist("house.map", GetParam().words_per_minute, GetParam().pause_s);
+        typist.press(Command::Exits);  // so that the session knows the rooms from now on
+        typist.listen();
+        typist.type(goal);
+        if (goal[0] == 'f') typist.key("Enter");  // selects the beacon
+        typist.listen();
+        typist.app().apply(Placed{{8.8, 0.9, 0.0}, 0.5 * kPi}, typist.now_s());
+        typist.wait(0.5);
+        typist.press(Command::TurnRight);
+        typist.finish();
+        ASSERT_EQ(typist.arrivals.size(), 1U) << typist.all();
+        EXPECT_THAT(test::never_heard(typist.arrivals, typist.spoken()), IsEmpty()) << typist.all();
+        EXPECT_THAT(test::never_heard({{typist.arrivals[0].from_s, typist.now_s(), "Study", SpeechTopic::Place}},
+                                      typist.spoken()),
+                    IsEmpty())
+            << typist.all();
+    }
 }
 
 TEST_P(Paced, who_walks_on_in_the_first_minutes_hears_what_the_next_step_wants) {

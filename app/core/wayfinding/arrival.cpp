@@ -1,0 +1,29 @@
+#include "app/core/wayfinding/arrival.h"
+
+#include <utility>
+
+#include "app/core/wayfinding/finding.h"
+
+namespace handrail::core {
+namespace {
+
+cues::SpeechTopic topic_of(const Arrival::How& how) {
+    return how.room ? cues::SpeechTopic::Place : cues::SpeechTopic::Arrival;
+}
+
+}  // namespace
+
+void Arrival::tell(std::string text, const How& how, double now_s) {
+    context_.tell(topic_of(how), text, now_s, {.anew = true, .answers = how.answers});
+    last_ = Last{std::move(text), how, context_.body.feet_m()};
+}
+
+bool Arrival::tell_anew(cues::SpeechTopic topic, bool led, double now_s) {
+    if (!last_ || topic_of(last_->how) != topic || last_->how.led != led ||
+        glm::length(context_.body.feet_m() - last_->feet_m) > Beacon::kArrived_m)
+        return false;
+    context_.tell(topic, last_->text, now_s, {.anew = true, .answers = last_->how.answers});
+    return true;
+}
+
+}  // namespace handrail::core
