@@ -122,6 +122,7 @@ void Doors::press(std::uint32_t mover, bool back_again, double now_s) {
     const bool lift_comes = world_.movers.lift_is_away(mover);
     if (back_again) world_.movers.set_going(mover);
     else world_.movers.call(mover);
+    shut_by_person_ = world_.movers.goes_shut(mover) ? world_.scene->movers[mover].feature : kNoFeature;
     const Feature& feature = world_.scene->features[world_.scene->movers[mover].feature.value];
     if (lift_comes) {
         const Feature& lift =
@@ -466,7 +467,7 @@ void Doors::tell_shut(FeatureId feature, double now_s) {
         if (before != told_.end()) told_.erase(before);
         return;
     }
-    if (before != told_.end()) return;
+    if (before != told_.end() || feature == shut_by_person_) return;
     told_.push_back(feature);
     context_.say(shut_words(static_cast<std::uint32_t>(mover)), cues::SpeechClass::Answer, now_s);
 }

@@ -37,14 +37,17 @@ public:
     bool blocked(std::uint32_t mover) const { return world_.movers.held_shut(mover); }
 
     // Announces once that a door on the route is shut, and what opens it. If the door has been open in between,
-    // announces it again.
+    // announces it again. A door that the person has just shut is not announced.
     void tell_shut(FeatureId feature, double now_s);
     // Announces shut doors that the hand touches.
     void tell_touched(double now_s);
     // Announces shut doors on the straight line from the walker to `ahead_m`, at floor level.
     void tell_ahead(const Vec3& ahead_m, double now_s);
     // Forgets which shut doors were announced, so that they are announced again. Call it when there is another route.
-    void forget_told() { told_.clear(); }
+    void forget_told() {
+        told_.clear();
+        shut_by_person_ = kNoFeature;
+    }
 
 private:
     int lift_under_body() const;
@@ -57,7 +60,8 @@ private:
 
     WorldState& world_;
     WalkerState& body_;
-    std::vector<FeatureId> told_;  // shut doors on the route that have been announced
+    std::vector<FeatureId> told_;            // shut doors on the route that have been announced
+    FeatureId shut_by_person_ = kNoFeature;  // the door that the person shut last, until it is opened
     bool arrived_ = false;
 };
 

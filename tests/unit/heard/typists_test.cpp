@@ -114,5 +114,34 @@ TEST_P(Paced, who_walks_towards_an_edge_hears_every_warning_to_its_end) {
     EXPECT_THAT(test::cut_warnings(typist.voice), IsEmpty()) << typist.all();
 }
 
+TEST(Typist, hears_how_to_open_a_shut_door_but_not_of_the_door_that_they_have_just_shut) {
+    ASSERT_TRUE(speak_language("en"));
+    Typist typist("house.map", 180.0, 2.0);
+    typist.press(Command::Exits);  // so that the session knows the rooms from now on
+    typist.listen();
+    typist.type("find sofa");
+    typist.key("Enter");  // selects the beacon
+    typist.listen();
+    const auto& features = typist.app().scene()->features;
+    const auto door =
+        std::find_if(features.begin(), features.end(), [](const Feature& f) { return f.name == "Living room door"; });
+    const Vec3 middle = door->bounds_m.centre_m();
+    typist.app().apply(Placed{{middle.x + 0.8, middle.y, 0.0}, -0.5 * kPi}, typist.now_s());
+    typist.listen();
+    const auto hints = [&] {
+        int count = 0;
+        for (const HeardSpeech& said : typist.voice.lines())
+            count += said.utterance.text == "Living room door, wood is shut. Enter opens it." ? 1 : 0;
+        return count;
+    };
+    EXPECT_EQ(hints(), 1) << typist.all();
+    for (const char* what : {"Living room door opens", "Living room door is shut"}) {
+        typist.press(Command::Use);
+        typist.listen();
+        EXPECT_EQ(test::never_heard({{0.0, typist.now_s(), what}}, typist.spoken()).size(), 0U) << typist.all();
+    }
+    EXPECT_EQ(hints(), 1) << typist.all();
+}
+
 }  // namespace typists_test
 }  // namespace handrail
