@@ -11,24 +11,20 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <set>
 
 #include "tests/support/heard_legs.h"
 #include "tests/support/loudness_meter.h"
 #include "tests/support/names.h"
 #include "tests/support/scale.h"
+#include "tests/unit/heard/recorded.h"
 #include "tests/unit/heard/transcript.h"
-#include "tests/unit/heard/typist.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
 namespace recordings_test {
 
-const std::vector<double> kPauses_s{2.0, 2.5, 2.0, 3.0, 2.0, 6.0, 2.0, 4.0};
-
-class Recorded : public test::Sounding, public test::Typing {
-public:
-    Recorded() : Typing(audio(), *this, kPauses_s, [this] { mix_ms(); }) {}
-};
+using test::Recorded;
 
 void put(std::ofstream& file, std::uint32_t value, int bytes) {
     for (int i = 0; i < bytes; ++i) file.put(static_cast<char>(value >> (8 * i) & 0xFFU));
@@ -51,9 +47,11 @@ void write_wav(const std::filesystem::path& path, const std::vector<float>& both
     ASSERT_TRUE(file.flush().good()) << path;
 }
 
-// Checks that the person heard at least 95 % of the important lines in full, and that the mix stays 3 dB below full
-// scale. `least` is the least number of important lines.
-void judge(const Recorded& recorded, const std::string& name, int least) {
+// Checks that the person heard at least 95 % of the important lines in full, and each text of `must` and each name of a
+// room. Checks that the mix stays 3 dB below full scale. `least` is the least number of important lines.
+void judge(const Recorded& recorded, const std::string& name, int least, std::vector<test::MustHear> must = {}) {
+    // A person who stays in a room for a shorter time may leave it before the voice has had any time to speak.
+    constexpr double kStay_s = 7.0;
     const std::vector<test::Transcribed> lines = test::transcribe(recorded);
     const std::string transcript = test::text_of(lines);
     const test::Judged judged = test::judge(lines);
@@ -69,6 +67,16 @@ void judge(const Recorded& recorded, const std::string& name, int least) {
     EXPECT_GE(judged.matter, least) << transcript;
     EXPECT_GE(judged.share(), 0.95) << transcript << ::testing::PrintToString(judged.missing);
     EXPECT_LT(all.true_peak_db, -3.0);
+    for (const auto& more : {recorded.rooms_to_hear(kStay_s), recorded.summaries, recorded.arrivals})
+        must.insert(must.end(), more.begin(), more.end());
+    EXPECT_THAT(test::never_heard(must, test::spoken(lines)), ::testing::IsEmpty()) << transcript;
+}
+
+// Returns texts that the person must hear at any time.
+std::vector<test::MustHear> texts(const std::vector<std::string>& all) {
+    std::vector<test::MustHear> must;
+    for (const std::string& text : all) must.push_back({0.0, 1e9, text});
+    return must;
 }
 
 class Recordings : public ::testing::Test {
@@ -102,42 +110,77 @@ TEST_F(Recordings, of_the_first_minutes) {
     }
     go(Command::WhereAmI, 1);
     recorded.finish();
-    judge(recorded, "first_minutes", 10);
+    judge(recorded, "first_minutes", 15,
+          texts({"Press Up to walk one step at a time", "There is a radiator", "Well done", "Now go the other way",
+                 "Corner.", "press Home", "You are back at the door", "What to do next", "Saved."}));
 }
 
-TEST_F(Recordings, of_a_walk_through_five_doors_with_a_beacon) {
+// Follows the legs of a route, as the person hears them, until there are no more.
+void follow_legs(Recorded& recorded) {
     const test::LegForm form = test::english_legs();
-    recorded.enter("house.map");
-    recorded.press(Command::Exits);  // so that the session knows the rooms from now on
-    recorded.listen();
     const auto last_leg = [&](std::size_t from) {
         for (std::size_t i = recorded.lines().size(); i > from; --i)
             if (const auto leg = test::understood(recorded.lines()[i - 1].utterance.text, form)) return leg;
         return std::optional<test::HeardLeg>{};
     };
-    for (const auto& [room, thing] : {std::pair{"Living room", "Sofa"}, {"Study", "Desk"}, {"Kitchen", "Kitchen"}}) {
+    std::size_t from = recorded.lines().size();
+    recorded.press(Command::RepeatLeg);
+    for (int legs = 0; legs < 12; ++legs) {
+        recorded.listen();
+        const auto leg = last_leg(from);
+        if (!leg) return;
+        recorded.press(leg->turn_notches > 0 ? Command::TurnRight : Command::TurnLeft, std::abs(leg->turn_notches));
+        recorded.press(Command::Forward, leg->steps + (leg->until == test::HeardLeg::Until::Counted ? 0 : 1));
+        if (leg->use) recorded.press(Command::Use);
+        from = recorded.lines().size();
+        recorded.press(Command::NextLeg);
+    }
+}
+
+// Turns to the beacon and walks towards it, until it falls silent.
+void follow_beacon(Recorded& recorded) {
+    constexpr double kNotch_rad = kPi / 8.0;
+    for (int steps = 0; steps < 20 && recorded.app().guide().beacon().on(); ++steps) {
+        const auto& sounds = recorded.sounds();
+        const auto beat =
+            std::find_if(sounds.rbegin(), sounds.rend(), [](const auto& sound) { return is_beacon(sound.cue.kind); });
+        if (beat == sounds.rend()) return;
+        const Vec3 to = beat->cue.position_m - beat->listener.ears_m;
+        const double right_rad = std::remainder(std::atan2(to.x, to.y) - beat->listener.heading_rad, 2.0 * kPi);
+        const int notches = static_cast<int>(std::lround(right_rad / kNotch_rad));
+        recorded.press(notches > 0 ? Command::TurnRight : Command::TurnLeft, std::abs(notches));
+        recorded.press(Command::Forward);
+    }
+    recorded.listen();
+}
+
+TEST_F(Recordings, of_a_walk_through_five_doors_with_a_beacon) {
+    recorded.enter("house.map");
+    recorded.press(Command::Exits);  // so that the session knows the rooms from now on
+    recorded.listen();
+    for (const auto& [room, thing] : {std::pair{"Living room", "Sofa"},
+                                      {"Study", "Desk"},
+                                      {"Bathroom", "Bath tub"},
+                                      {"Utility room", "Washing machine"},
+                                      {"Garden", "Apple tree"}}) {
         recorded.type(fmt::format("find {}", thing));
         recorded.key("Enter");  // selects the beacon
-        recorded.type(fmt::format("routes {}", room));
-        std::size_t from = recorded.lines().size();
-        recorded.press(Command::RepeatLeg);
-        for (int legs = 0; legs < 12 && recorded.app().guide().leads(); ++legs) {
-            recorded.listen();
-            const auto leg = last_leg(from);
-            if (!leg) break;
-            recorded.press(leg->turn_notches > 0 ? Command::TurnRight : Command::TurnLeft, std::abs(leg->turn_notches));
-            recorded.press(Command::Forward, leg->steps + (leg->until == test::HeardLeg::Until::Counted ? 0 : 1));
-            if (leg->use) recorded.press(Command::Use);
-            from = recorded.lines().size();
-            recorded.press(Command::NextLeg);
-        }
         recorded.listen();
+        recorded.type(fmt::format("routes {}", room));
+        follow_legs(recorded);
+        follow_beacon(recorded);
     }
     recorded.finish();
-    std::vector<std::string> rooms;
-    for (const auto& entered : recorded.rooms) rooms.push_back(entered.name);
-    EXPECT_GE(rooms.size(), 6U) << ::testing::PrintToString(rooms);
-    judge(recorded, "five_doors", 20);
+    const std::set<std::string> doors(recorded.doors.begin(), recorded.doors.end());
+    EXPECT_GE(doors.size(), 5U) << ::testing::PrintToString(recorded.doors);
+    EXPECT_EQ(recorded.summaries.size(), 5U);
+    EXPECT_EQ(recorded.arrivals.size(), 10U) << "in each room, and at each thing";
+    const test::HeardBeacon beacon = test::heard_beacon(recorded);
+    std::cout << fmt::format("    {} doors, {} passages, {} rooms, {} of {} sounds of the beacon heard\n", doors.size(),
+                             recorded.doors.size(), recorded.rooms.size(), beacon.heard, beacon.played);
+    EXPECT_GE(beacon.played, 50);
+    EXPECT_GE(beacon.heard, 0.9 * beacon.played) << "steps and turns may cover some";
+    judge(recorded, "five_doors", 40);
 }
 
 TEST_F(Recordings, of_a_labyrinth) {
@@ -149,7 +192,7 @@ TEST_F(Recordings, of_a_labyrinth) {
         recorded.listen();
     }
     recorded.finish();
-    judge(recorded, "labyrinth", 5);
+    judge(recorded, "labyrinth", 7, texts({"The goal is", "Ball held", "Ball moved", "Finished in"}));
 }
 
 }  // namespace recordings_test

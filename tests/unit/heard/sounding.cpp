@@ -25,8 +25,8 @@ void bring(VoiceChannel& channel, const Utterance& utterance, const std::vector<
 
 }  // namespace
 
-Sounding::Sounding() : sink_(open_mix(heard_)) {
-    auto voice = EspeakSpeech::open(made_, Settings::Speech{});
+Sounding::Sounding(const Settings& settings) : sink_(open_mix(heard_)) {
+    auto voice = EspeakSpeech::open(made_, settings.speech);
     if (!voice) throw std::runtime_error(voice.error().sentence());
     voice_ = std::move(*voice);
 }
@@ -64,6 +64,23 @@ void Sounding::write(const Utterance& utterance) {
 void Sounding::mix_ms() {
     const auto frames = sink_->render(kFramesPerMs);
     mix_.insert(mix_.end(), frames.begin(), frames.end());
+    speaks_.push_back(speaking());
+}
+
+bool Sounding::voice_silent(std::size_t from_frame, std::size_t until_frame) const {
+    for (std::size_t ms = from_frame / kFramesPerMs; ms <= until_frame / kFramesPerMs && ms < speaks_.size(); ++ms)
+        if (speaks_[ms]) return false;
+    return true;
+}
+
+void Sounding::Ears::play(const SoundCue& cue) {
+    sounds.push_back({cue, listener_, mix_.mix_.size() / 2});
+    mix_.sink_->play(cue);
+}
+
+void Sounding::Ears::set_listener(const Listener& listener) {
+    listener_ = listener;
+    mix_.sink_->set_listener(listener);
 }
 
 std::vector<float> Sounding::alone(const PrintedLine& line) {
@@ -78,6 +95,28 @@ std::vector<float> Sounding::alone(const PrintedLine& line) {
         const auto frames = sink->render(5 * kFramesPerMs);
         both.insert(both.end(), frames.begin(), frames.end());
     } while (channel->playing());
+    return both;
+}
+
+SoundAlone::SoundAlone() : sink_(open_mix(std::make_shared<VoiceChannel>())) {}
+
+std::vector<float> SoundAlone::render(const PlayedSound& sound) {
+    constexpr int kTick_ms = 5, kTicks = 20;
+    std::vector<float> both;
+    const auto run = [&] {
+        both.clear();
+        for (int i = 0; i < kTicks; ++i) {
+            sink_->tick(now_s_ += 0.001 * kTick_ms);
+            const auto frames = sink_->render(kTick_ms * kFramesPerMs);
+            both.insert(both.end(), frames.begin(), frames.end());
+        }
+    };
+    // The last sound and its direction must have faded.
+    sink_->stop_all();
+    sink_->set_listener(sound.listener);
+    run();
+    sink_->play(sound.cue);
+    run();
     return both;
 }
 

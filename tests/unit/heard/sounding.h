@@ -23,15 +23,25 @@ struct PrintedLine {
     std::vector<std::int16_t> samples;  // the line as the voice rendered it, at the voice's sample rate
 };
 
+// A single sound that the session played.
+struct PlayedSound {
+    SoundCue cue;
+    Listener listener;
+    std::size_t begin_frame = 0;
+};
+
 class Sounding : public SpeechSink {
 public:
-    Sounding();
+    explicit Sounding(const Settings& settings = {});
 
-    AudioSink& audio() { return *sink_; }
+    AudioSink& audio() { return ears_; }
     // Adds the next millisecond to the mix.
     void mix_ms();
     const std::vector<float>& mix() const { return mix_; }  // left and right samples in turn, 48 kHz
     const std::vector<PrintedLine>& lines() const { return lines_; }
+    const std::vector<PlayedSound>& sounds() const { return ears_.sounds; }
+    // Returns true if the voice was silent in the mix between two frames.
+    bool voice_silent(std::size_t from_frame, std::size_t until_frame) const;
 
     void say(const Utterance& utterance) override;
     void write(const Utterance& utterance) override;
@@ -42,6 +52,26 @@ public:
     static std::vector<float> alone(const PrintedLine& line);
 
 private:
+    // Passes everything on to the mix, and keeps the single sounds.
+    class Ears : public AudioSink {
+    public:
+        explicit Ears(const Sounding& mix) : mix_(mix) {}
+        void play(const SoundCue& cue) override;
+        void set_loop(const SoundCue& cue) override { mix_.sink_->set_loop(cue); }
+        void set_listener(const Listener& listener) override;
+        void set_sound(const Settings::Sound& settings) override { mix_.sink_->set_sound(settings); }
+        void set_speaking(bool speaking) override { mix_.sink_->set_speaking(speaking); }
+        void stop_all() override { mix_.sink_->stop_all(); }
+        void tick(double now_s) override { mix_.sink_->tick(now_s); }
+        std::optional<std::string> news() override { return mix_.sink_->news(); }
+
+        std::vector<PlayedSound> sounds;
+
+    private:
+        const Sounding& mix_;
+        Listener listener_;
+    };
+
     std::vector<std::int16_t> synthesised(const Utterance& utterance);
 
     // Carries samples from espeak-ng to this class.
@@ -51,7 +81,21 @@ private:
     std::unique_ptr<EspeakSpeech> voice_;
     std::unique_ptr<OpenALSink> sink_;
     std::vector<PrintedLine> lines_;
+    Ears ears_{*this};
     std::vector<float> mix_;
+    std::vector<bool> speaks_;  // for each millisecond of the mix: true if the voice was speaking
+};
+
+// Renders single sounds as a listener hears them without anything else.
+class SoundAlone {
+public:
+    SoundAlone();
+    // Returns the first 0.1 s of the sound, for both ears.
+    std::vector<float> render(const PlayedSound& sound);
+
+private:
+    std::unique_ptr<OpenALSink> sink_;
+    double now_s_ = 0.0;
 };
 
 }  // namespace handrail::test

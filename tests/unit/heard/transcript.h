@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/names.h"
+#include "tests/unit/heard/heard.h"
 #include "tests/unit/heard/sounding.h"
 
 namespace handrail::test {
@@ -32,6 +33,16 @@ struct Transcribed {
 };
 
 std::vector<Transcribed> transcribe(const Sounding& sounding);
+
+// Returns the lines as the person heard them.
+std::vector<Spoken> spoken(const std::vector<Transcribed>& lines);
+
+// How many sounds of the beacon are in the mix. Counts only those that began while the voice was silent, because the
+// voice covers the others.
+struct HeardBeacon {
+    int played = 0, heard = 0;
+};
+HeardBeacon heard_beacon(const Sounding& sounding);
 
 // The number of important lines, and the texts of those that were never heard in full. If the session announced a line
 // again because it was cut, the line counts once.
