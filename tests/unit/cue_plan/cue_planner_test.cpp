@@ -127,6 +127,39 @@ TEST_F(CuePlannerTest, names_the_touched_thing_with_its_material_within_120_ms) 
     EXPECT_EQ(speech.lines()[0].utterance.speech_class, SpeechClass::Contact);
 }
 
+// The listener is at the origin and faces north.
+TEST_F(CuePlannerTest, gives_each_line_about_a_place_its_direction_if_the_setting_is_on) {
+    const auto directions = [&] {
+        const std::size_t from = speech.lines().size();
+        begin(kNorth);  // at 1 m east and 2 m north
+        wait(6.0);
+        CueRequest bump = text("Blocked", SpeechClass::Warning);
+        bump.kind = CueRequestKind::Bump;
+        bump.position_m = {0.0, -1.0, 1.0};
+        tick({}, {bump});
+        wait(6.0);
+        CueRequest leg = text("Turn left", SpeechClass::Guidance);
+        leg.placed = true;
+        leg.position_m = {-3.0, 0.0, 0.0};
+        tick({}, {leg});
+        wait(6.0);
+        tick({}, {text("Hall")});
+        wait(6.0);
+        end(kNorth);
+        std::vector<std::optional<double>> all;
+        for (std::size_t i = from; i < speech.lines().size(); ++i) all.push_back(speech.lines()[i].utterance.right_rad);
+        return all;
+    };
+    EXPECT_THAT(directions(), ElementsAre(std::nullopt, std::nullopt, std::nullopt, std::nullopt));
+    set([](Settings& s) { s.speech.from_places = true; });
+    const auto on = directions();
+    ASSERT_EQ(on.size(), 4U);
+    EXPECT_NEAR(on[0].value_or(9.0), std::atan2(1.0, 2.0), 1e-12);
+    EXPECT_NEAR(std::abs(on[1].value_or(9.0)), kPi, 1e-12);
+    EXPECT_NEAR(on[2].value_or(9.0), -0.5 * kPi, 1e-12);
+    EXPECT_FALSE(on[3]) << "a line without a place comes from the middle";
+}
+
 TEST_F(CuePlannerTest, plays_the_materials_contact_sound_at_the_hand_within_15_ms) {
     const ContactEvent touch = event(ContactEventKind::Begin, kFloor);
     tick({touch});
