@@ -1,14 +1,23 @@
 // Tests which filters for headphones the sink uses, and from which direction the voice comes.
+#include <AL/alc.h>
+#include <AL/alext.h>
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "audio-cues/sinks/openal_sink.h"
+#include "audio-cues/sinks/sound_outputs.h"
 #include "audio-cues/sinks/synth.h"
+#include "tests/support/environment.h"
 #include "tests/support/names.h"
+#include "tests/support/temporary_folder.h"
 #include "worlds/base/vec.h"
 
 namespace handrail {
@@ -22,6 +31,30 @@ TEST(SetOfFilters, that_is_named_is_used_and_a_missing_one_is_reported) {
         ASSERT_TRUE(sink) << sink.error().sentence();
         EXPECT_EQ((*sink)->news().has_value(), !there) << name;
     }
+}
+
+// A person puts a set of filters into the folder in which OpenAL Soft looks for such files, and names it in the setting
+// sound.hrtf.
+TEST(SetOfFilters, can_be_a_file_of_the_person_that_the_setting_names) {
+    const std::filesystem::path known = "/usr/share/openal/hrtf/default-48000.mhr";
+    if (!std::filesystem::exists(known)) GTEST_SKIP() << "this OpenAL Soft has no set of filters as a file";
+    const test::TemporaryFolder home;
+    const std::filesystem::path folder = home.path() / "openal" / "hrtf";
+    std::filesystem::create_directories(folder);
+    std::filesystem::copy_file(known, folder / "my ears.mhr");
+    const test::WithEnvironment data("XDG_DATA_HOME", home.path().c_str());
+    const test::WithEnvironment server("SPEECHD_ADDRESS", "unix_socket:/nonexistent");
+    Settings settings;
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    for (const std::string set : {"default-48000", "my ears"}) {
+        settings.sound.hrtf = set;
+        const SoundOutputs outputs = open_sound_outputs(settings, nowhere);
+        EXPECT_EQ(outputs.audio->news(), std::nullopt);
+        const ALCchar* used = alcGetString(alcGetContextsDevice(alcGetCurrentContext()), ALC_HRTF_SPECIFIER_SOFT);
+        ASSERT_NE(used, nullptr);
+        EXPECT_NE(std::string_view(used).find(set), std::string_view::npos) << used;
+    }
+    ::close(nowhere);
 }
 
 TEST(VoiceFromItsPlace, is_louder_in_the_ear_on_that_side) {

@@ -145,6 +145,35 @@ TEST(Loudness, true_peak_of_the_worst_mixes_stays_3_db_below_full_scale) {
         }
 }
 
+// The alerts about a device must not be louder than the mix allows, nor any other sound.
+TEST(Loudness, true_peak_of_every_single_sound_stays_3_db_below_full_scale) {
+    auto sink = OpenALSink::open(std::make_shared<VoiceChannel>(), {.output = OpenALSink::Output::OnDemand});
+    ASSERT_TRUE(sink) << sink.error().sentence();
+    double now_s = 1.0;
+    const auto run = [&](double seconds) {
+        std::vector<float> both;
+        for (const double until_s = now_s + seconds; now_s < until_s; now_s += 256.0 / kSampleRate_hz) {
+            (*sink)->tick(now_s);
+            const auto mix = (*sink)->render(256);
+            both.insert(both.end(), mix.begin(), mix.end());
+        }
+        return both;
+    };
+    for (const SoundInfo& sound : sound_table()) {
+        const bool loop =
+            is_world_sound(sound.kind) || sound.kind == SoundKind::Slide || sound.kind == SoundKind::WallTone;
+        SoundCue cue = cue_at(sound.kind, {0.7, 0.7, 0.0});
+        cue.loudness = 1.0;  // the person may have set the volume to its maximum
+        if (loop) (*sink)->set_loop(cue);
+        else (*sink)->play(cue);
+        const Measured alone = measured(run(0.6), 2);
+        EXPECT_LT(alone.true_peak_db, -3.0) << sound.name;
+        EXPECT_GT(alone.true_peak_db, -60.0) << sound.name << " is silent";
+        (*sink)->stop_all();
+        run(0.2);
+    }
+}
+
 // Returns the energy at each ear between two frequencies.
 std::array<double, 2> energies(const std::vector<float>& both, double from_hz, double to_hz) {
     std::array<double, 2> sums{};
