@@ -114,6 +114,52 @@ TEST_P(Paced, who_walks_towards_an_edge_hears_every_warning_to_its_end) {
     EXPECT_THAT(test::cut_warnings(typist.voice), IsEmpty()) << typist.all();
 }
 
+// Returns the text of the last line about the topic that was heard in full.
+std::string last_heard(const Typist& typist, SpeechTopic topic) {
+    std::string text;
+    for (const HeardSpeech& said : typist.voice.lines())
+        if (said.utterance.topic == topic && test::in_full(said, typist.now_s())) text = said.utterance.text;
+    return text;
+}
+
+TEST(Typist, hears_a_leg_that_was_cut_as_it_is_after_the_steps_walked_meanwhile) {
+    ASSERT_TRUE(speak_language("en"));
+    Typist typist("house.map", 180.0, 0.5);
+    typist.press(Command::Exits);  // so that the session knows the rooms from now on
+    typist.listen();
+    typist.type("routes utility room");
+    typist.press(Command::FaceWay);
+    typist.listen();
+    typist.press(Command::RepeatLeg);
+    typist.listen();
+    const std::string first = last_heard(typist, SpeechTopic::Leg);
+    typist.press(Command::RepeatLeg);
+    typist.press(Command::Forward, 2);
+    typist.finish();
+    const std::string anew = last_heard(typist, SpeechTopic::Leg);
+    EXPECT_NE(anew, first) << typist.all();
+    typist.press(Command::RepeatLeg);
+    typist.listen();
+    EXPECT_EQ(last_heard(typist, SpeechTopic::Leg), anew) << typist.all();
+}
+
+TEST(Typist, does_not_hear_a_room_that_was_cut_and_is_left) {
+    ASSERT_TRUE(speak_language("en"));
+    Typist typist("house.map", 180.0, 0.5);
+    typist.press(Command::Exits);  // so that the session knows the rooms from now on
+    typist.listen();
+    typist.app().apply(Placed{{3.0, 3.0, 0.0}, 0.0}, typist.now_s());
+    typist.wait(0.2);
+    typist.press(Command::TurnRight);
+    typist.app().apply(Placed{{8.8, 0.9, 0.0}, 0.0}, typist.now_s());
+    typist.finish();
+    ASSERT_EQ(typist.rooms.size(), 3U) << typist.all();
+    EXPECT_THAT(typist.all(), ::testing::HasSubstr("cut: Living room\n"));
+    EXPECT_EQ(last_heard(typist, SpeechTopic::Place), "Study") << typist.all();
+    for (const HeardSpeech& said : typist.voice.lines())
+        EXPECT_FALSE(said.utterance.text == "Living room" && test::in_full(said, typist.now_s())) << typist.all();
+}
+
 TEST(Typist, hears_how_to_open_a_shut_door_but_not_of_the_door_that_they_have_just_shut) {
     ASSERT_TRUE(speak_language("en"));
     Typist typist("house.map", 180.0, 2.0);
