@@ -79,6 +79,7 @@ class HeardScenario : public ::testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(All, HeardScenario, ::testing::ValuesIn(all_scenarios()),
                          [](const auto& row) { return "of_" + row.param; });
 
+// Under the sanitizers, no other test runs every scenario.
 TEST_P(HeardScenario, leaves_nothing_unheard_that_still_holds) { hear(GetParam(), 180.0); }
 
 class HeardAtOtherRates : public ::testing::TestWithParam<std::string> {};
@@ -91,7 +92,10 @@ INSTANTIATE_TEST_SUITE_P(Ten, HeardAtOtherRates,
                          [](const auto& row) { return "of_" + row.param; });
 
 TEST_P(HeardAtOtherRates, leaves_nothing_unheard_that_still_holds) {
-    for (const double words_per_minute : {120.0, 350.0}) hear(GetParam(), words_per_minute);
+    // A sanitizer has seen the scenario at 180 words a minute, so it needs only one of the two rates.
+    const bool even = GetParam().size() % 2 == 0;
+    for (const double words_per_minute : {120.0, 350.0})
+        if (test::kSanitizerScale == 1.0 || even == (words_per_minute < 180.0)) hear(GetParam(), words_per_minute);
 }
 
 class SoundingScenario : public ::testing::TestWithParam<std::string> {};

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/names.h"
+#include "tests/support/scale.h"
 #include "tests/unit/heard/heard.h"
 #include "tests/unit/heard/typist.h"
 #include "worlds/base/language.h"
@@ -24,9 +25,17 @@ protected:
     void SetUp() override { ASSERT_TRUE(speak_language("en")); }
 };
 
-INSTANTIATE_TEST_SUITE_P(Typists, Paced,
-                         ::testing::Values(Pace{180.0, 0.5}, Pace{180.0, 2.0}, Pace{180.0, 4.0}, Pace{180.0, 6.0},
-                                           Pace{120.0, 2.0}, Pace{120.0, 0.5}, Pace{350.0, 2.0}, Pace{350.0, 0.5}));
+// Returns the paces of the typists. Under a sanitizer these are a fast typist, a slow typist and a fast voice.
+std::vector<Pace> paces() {
+    const std::vector<Pace> all{{180.0, 0.5}, {180.0, 2.0}, {180.0, 4.0}, {180.0, 6.0},
+                                {120.0, 2.0}, {120.0, 0.5}, {350.0, 2.0}, {350.0, 0.5}};
+    std::vector<Pace> some;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (test::tried(i, 3)) some.push_back(all[i]);
+    return some;
+}
+
+INSTANTIATE_TEST_SUITE_P(Typists, Paced, ::testing::ValuesIn(paces()));
 
 // The house starts in the hall. The typist only presses keys, and requests the rest of the route leg by leg.
 TEST_P(Paced, who_walks_through_the_house_hears_rooms_and_the_whole_of_a_route) {
