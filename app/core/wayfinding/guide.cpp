@@ -118,7 +118,10 @@ void Guide::follow(double now_s) {
 
 void Guide::tell_anew(cues::SpeechTopic topic, double now_s) {
     ear_.tell_anew(topic, now_s);
-    if (topic == cues::SpeechTopic::Summary) seek_.tell_anew(now_s);
+    if (topic != cues::SpeechTopic::Summary) return;
+    if (ear_.following()) return seek_.tell_anew(now_s);
+    if (beacon().on()) tell_beacon(now_s);
+    if (seek_.warmer().on()) tell_warmer(now_s);
 }
 
 void Guide::lead(double now_s) {
@@ -311,10 +314,17 @@ void Guide::call_from(const Goal& goal) {
 
 void Guide::set_beacon(const Goal& goal, double now_s) {
     call_from(goal);
+    tell_beacon(now_s);
+}
+
+// Announces what the beacon is on, where that is from here, and how the beacon guides.
+void Guide::tell_beacon(double now_s) {
     const std::string how = seek_.beacon_words(now_s);
+    const Goal goal{beacon().name(), beacon().thing_m(), beacon().feature()};
     const std::string where = where_words(context_, told_box(rooms_, goal));
-    context_.answer(
-        phrase("guide.beacon_on", {{"name", goal.name}, {"where", where}}) + (how.empty() ? how : ". " + how), now_s);
+    context_.tell(cues::SpeechTopic::Summary,
+                  phrase("guide.beacon_on", {{"name", goal.name}, {"where", where}}) + (how.empty() ? how : ". " + how),
+                  now_s);
 }
 
 // Puts the beacon on what the hand touches, or else on what is straight ahead. If there is neither, the person chooses
@@ -355,8 +365,15 @@ void Guide::seek_warmer(const Goal& goal, double now_s) {
         return context_.answer(phrase("guide.warmer_off"), now_s);
     }
     seek_.start_warmer(goal);
+    tell_warmer(now_s);
+}
+
+// Announces to what "warmer" guides, and how.
+void Guide::tell_warmer(double now_s) {
     const std::string how = seek_.warmer_words(now_s);
-    context_.answer(phrase("guide.warmer_on", {{"name", goal.name}}) + (how.empty() ? how : ". " + how), now_s);
+    context_.tell(cues::SpeechTopic::Summary,
+                  phrase("guide.warmer_on", {{"name", seek_.warmer().name()}}) + (how.empty() ? how : ". " + how),
+                  now_s);
 }
 
 // ---- guidance ----

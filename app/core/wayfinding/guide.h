@@ -122,6 +122,8 @@ public:
 private:
     bool on_route() const { return ear_.following() || hand_.at_work(); }
     void tell_found(const std::string& name, double now_s);
+    void tell_beacon(double now_s);
+    void tell_warmer(double now_s);
     void list_routes(double now_s);
     void list_storeys(double now_s);
     void open_find(double now_s);

@@ -95,6 +95,22 @@ TEST_P(Paced, who_presses_a_key_on_arrival_hears_the_arrival_afterwards) {
     }
 }
 
+// A person who presses a key while the beacon is announced must still hear where it is.
+TEST_P(Paced, who_sets_a_beacon_and_walks_on_at_once_hears_where_it_is) {
+    for (const auto& [tool, row] : {std::pair{"Beacon on Desk", 0}, {"Desk: faster ticking", 2}}) {
+        Typist typist("house.map", GetParam().words_per_minute, GetParam().pause_s);
+        typist.press(Command::Exits);  // so that the session knows the rooms from now on
+        typist.listen();
+        typist.type("find desk");
+        for (int i = 0; i < row; ++i) typist.key("Down");
+        const double from_s = typist.now_s();
+        typist.key("Enter");
+        typist.press(Command::TurnRight, 2);
+        typist.finish();
+        EXPECT_THAT(test::never_heard({{from_s, typist.now_s(), tool}}, typist.spoken()), IsEmpty()) << typist.all();
+    }
+}
+
 TEST_P(Paced, who_walks_on_in_the_first_minutes_hears_what_the_next_step_wants) {
     Typist typist("first_room.map", GetParam().words_per_minute, GetParam().pause_s);
     typist.app().apply(FirstMinutesBegun{"a voice", false}, typist.now_s());
