@@ -1,6 +1,6 @@
-// Checks an invariant of the servo tick in the preset debug. If the check fails, it prints file and line on standard
-// error and ends the program. In all other builds the condition is not even computed; other checks then give the hand
-// zero force if something is wrong.
+// Checks an invariant of the servo tick in the presets debug, asan and tsan. If the check fails, it prints file and
+// line on standard error and ends the program. In all other builds the condition is not even computed; other checks
+// then give the hand zero force if something is wrong.
 #pragma once
 
 #include "worlds/base/contract.h"

@@ -160,8 +160,7 @@ Vec3 Guidance::grooves(const GuidancePath& path, const Vec3& hand_m, double scal
 
 Vec3 Guidance::tick(const GuidancePath& path, const Vec3& hand_m, double scale, double peak_force_n, bool allowed,
                     double dt_s) noexcept {
-    tick_assert(scale > 0.0 && dt_s > 0.0 && path.count <= GuidancePath::kMostPoints);
-    tick_assert(path.strength >= 0.0 && path.strength <= 1.0);
+    tick_assert(scale > 0.0 && dt_s > 0.0);
     // 1. Another path is requested, or force is not permitted: the current guidance fades out before the next begins.
     if (state_.phase == GuidancePhase::Acts && (path.number != state_.number || !allowed)) end(GuidancePhase::Ended);
     if (path.number != state_.number && fade_ <= 0.0) {
@@ -177,7 +176,9 @@ Vec3 Guidance::tick(const GuidancePath& path, const Vec3& hand_m, double scale, 
         }
         return state_.force_n;
     }
-    // 3. Computes the force.
+    // 3. Computes the force. begin() has refused a path with bad values, and a path changes only with its number.
+    tick_assert(path.count > 0 && path.count <= GuidancePath::kMostPoints);
+    tick_assert(path.strength >= 0.0 && path.strength <= 1.0);
     const Vec3 velocity = (hand_m - hand_before_m_) / (scale * dt_s);
     velocity_m_per_s_ += (velocity - velocity_m_per_s_) * (dt_s / (kVelocityPole_s + dt_s));
     acted_s_ += dt_s;
