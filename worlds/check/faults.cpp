@@ -83,12 +83,6 @@ const FaultRow& row_of(FaultKind kind) {
     return row;
 }
 
-std::vector<FaultKind> all_fault_kinds() {
-    std::vector<FaultKind> kinds;
-    for (const FaultRow& row : kRows) kinds.push_back(row.kind);
-    return kinds;
-}
-
 std::vector<WorldFault> find_faults(const Scene& scene, const navigation::WalkSpace* space,
                                     const navigation::RoomGraph* graph) {
     contract_pre((space == nullptr) == (graph == nullptr));

@@ -52,7 +52,6 @@ struct FaultRow {
     bool blocks;            // true if the fault would stop, hurt or mislead a person who learns this world
 };
 const FaultRow& row_of(FaultKind kind);
-std::vector<FaultKind> all_fault_kinds();
 
 struct WorldFault {
     FaultKind kind = FaultKind::UnnamedRoom;

@@ -926,17 +926,6 @@ std::uint32_t floor_at(const Storey& storey, const Vec2& at) {
     return floor.room[static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.wide) + static_cast<std::size_t>(x)];
 }
 
-void lay_floor(Storey& storey) {
-    clear_floor(storey);
-    for (std::size_t i = 0; i < storey.floor.room.size(); ++i) {
-        const Vec2 cell(static_cast<double>(i % static_cast<std::size_t>(storey.floor.wide)) + 0.5,
-                        static_cast<double>(i / static_cast<std::size_t>(storey.floor.wide)) + 0.5);
-        for (std::uint32_t room = 0; room < storey.rooms.size(); ++room)
-            for (const auto& loop : storey.rooms[room].loops_m)
-                if (within_loop(loop, storey.min_m + cell * storey.floor.cell_m)) storey.floor.room[i] = room;
-    }
-}
-
 int storey_count(const navigation::RoomGraph& graph) {
     int count = 0;
     for (const navigation::Room& room : graph.rooms) count = std::max(count, room.level + 1);

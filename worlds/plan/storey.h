@@ -145,7 +145,5 @@ std::optional<Storey> upper_part_of(const Scene& scene, const navigation::RoomGr
 // Returns the index in Storey::rooms of the room whose floor is at this place. Returns kNothing under furniture, in
 // walls and outside.
 std::uint32_t floor_at(const Storey& storey, const Vec2& at);
-// Fills Storey::floor from the outlines of the rooms, for storeys that were not made from a world.
-void lay_floor(Storey& storey);
 
 }  // namespace handrail::plan

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "worlds/base/contract.h"
-#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -29,12 +27,6 @@ const EffectSpec* find_effect(std::string_view name) {
     const auto found =
         std::find_if(kEffects.begin(), kEffects.end(), [&](const EffectSpec& row) { return row.name == wanted; });
     return found == kEffects.end() ? nullptr : &*found;
-}
-
-std::string effect_meaning(const EffectSpec& spec) {
-    std::string key = "effect.";
-    for (const char c : spec.name) key += c == '-' ? '_' : c;
-    return phrase(key);
 }
 
 }  // namespace handrail

@@ -32,8 +32,6 @@ struct EffectSpec {
 std::span<const EffectSpec> effect_table();
 // Finds the kind with exactly this name, ignoring case. Returns nullptr if there is no such kind.
 const EffectSpec* find_effect(std::string_view name);
-// Explains in a sentence what strength and width mean for this kind.
-std::string effect_meaning(const EffectSpec& spec);
 
 // The part of a magnet or object to which a magnet pulls the hand.
 enum class MagnetPull {

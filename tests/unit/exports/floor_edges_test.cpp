@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
+#include "tests/support/lay_floor.h"
 #include "tests/support/names.h"
 #include "tests/unit/exports/plans.h"
 #include "worlds/exports/openings.h"

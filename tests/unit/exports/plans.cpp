@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 
+#include "tests/support/lay_floor.h"
 #include "tests/support/names.h"
 #include "tests/support/real_worlds.h"
 #include "worlds/navigation/navigation.h"

@@ -11,6 +11,7 @@
 #include <map>
 #include <random>
 
+#include "tests/support/lay_floor.h"
 #include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"

@@ -8,6 +8,7 @@
 #include <regex>
 #include <set>
 
+#include "tests/support/lay_floor.h"
 #include "tests/support/names.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"

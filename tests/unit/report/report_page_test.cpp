@@ -9,6 +9,7 @@
 #include <regex>
 #include <sstream>
 
+#include "tests/support/lay_floor.h"
 #include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"

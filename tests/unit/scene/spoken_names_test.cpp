@@ -8,7 +8,6 @@
 #include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "worlds/readers/reader.h"
-#include "worlds/scene/effect.h"
 #include "worlds/scene/lint.h"
 #include "worlds/scene/models.h"
 #include "worlds/scene/surfaces.h"
@@ -28,16 +27,13 @@ std::set<std::string> keys_in(const std::string& section) {
     return keys;
 }
 
-TEST(SpokenNames, exist_for_every_material_and_effect_and_for_no_other) {
-    std::set<std::string> materials, effects;
+TEST(SpokenNames, exist_for_every_material_and_for_no_other) {
+    std::set<std::string> materials;
     for (const MaterialSpec& spec : material_library()) {
         materials.insert(key_of("material.", spec.name));
         EXPECT_EQ(spoken_material(spec.name), spec.name) << "English says what maps write";
     }
-    for (const EffectSpec& spec : effect_table()) effects.insert(key_of("effect.", spec.name));
     EXPECT_EQ(keys_in("material."), materials);
-    EXPECT_EQ(keys_in("effect."), effects);
-    for (const EffectSpec& spec : effect_table()) EXPECT_TRUE(effect_meaning(spec).ends_with('.'));
 }
 
 TEST(SpokenNames, of_kinds_are_keyed_by_their_names_in_files) {

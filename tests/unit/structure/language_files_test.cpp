@@ -152,7 +152,6 @@ TEST(LanguageFiles, are_complete_and_use_the_same_placeholders) {
 const std::vector<std::string> kMadeOfNames{
     "kind.",
     "material.",
-    "effect.",
     // Keys that contain the values of OpenStreetMap's tags and of IMDF's categories.
     "osm_kind.",
     "osm_fact.",
