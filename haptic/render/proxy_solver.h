@@ -153,33 +153,10 @@ public:
     // Centre of the proxy, in the scene's own coordinates.
     Vec3 local_m() const noexcept { return anchor_m_ + ball_m_; }
     Vec3 world_m() const noexcept { return scene_origin_m_ + anchor_m_ + ball_m_; }
-    // For checks: path_size() is the number of points of the last path, path_m() returns one of them in world metres.
-    int path_size() const noexcept { return path_.size; }
-    Vec3 path_m(int i) const noexcept { return scene_origin_m_ + anchor_m_ + path_[i]; }
-    // For checks: the candidates with their cuts, in the scene's own coordinates, and the number of gatherings since
-    // reset().
-    int candidates() const noexcept { return cuts_.count; }
-    std::uint32_t candidate(int i) const noexcept { return cuts_.obstacles[static_cast<std::size_t>(i)]; }
-    HalfSpace cut(int i) const noexcept {
-        const HalfSpace& cut = cuts_.planes[static_cast<std::size_t>(i)];
-        return {cut.normal, cut.offset_m + glm::dot(cut.normal, anchor_m_)};
-    }
-    std::uint64_t gatherings() const noexcept { return gatherings_; }
-    // Number of nodes and obstacles that the last move visited, and the work that it counted, without the cheap parts.
-    int looks() const noexcept { return work_.looks; }
-    int work() const noexcept { return kMostWork - work_.left; }
-    // tracked() returns how many bodies the solver follows, tracks() whether it follows `body`. body_at() returns the
-    // pose at which the solver has a body, which lags while the body waits.
-    std::size_t tracked() const noexcept { return tracks_.count; }
-    bool tracks(std::size_t body) const noexcept { return tracks_.follows(body); }
-    Placement body_at(std::size_t body) const noexcept { return tracks_.of(body).at; }
-    // For checks: makes the solver follow every body of the scene, however far, as long as there are tracks. The
-    // results stay bit-identical at a higher cost, with one exception: while the proxy hurries after an obstacle
-    // vanished, a solver that follows few bodies stops sooner.
-    void track_all() noexcept { tracks_.all = true; }
-    bool hurries() const noexcept { return hurry_ > 0; }
 
 private:
+    friend class SolverProbe;  // shows the parts below to tests and benchmarks
+
     struct Candidate {
         double distance_m;  // distance of the candidate's cut, which is at most the distance of the obstacle
         std::uint32_t obstacle;

@@ -98,7 +98,7 @@ public:
     void reset_filters() noexcept;
     // When the walker moves the hand's frame without a teleport, the goal simply moves, so reset() is not needed.
 
-    // For checks: the proxy, with its path, candidates and gatherings of the last tick.
+    // For checks: the proxy of the last tick. SolverProbe (tests) shows its path, candidates and gatherings.
     const ProxySolver& solver() const noexcept;
 
     struct Impl;

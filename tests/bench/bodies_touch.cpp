@@ -12,6 +12,7 @@
 #include "haptic/render/proxy_solver.h"
 #include "haptic/servo/body_playback.h"
 #include "tests/support/names.h"
+#include "tests/support/solver_probe.h"
 
 namespace handrail::test {
 namespace {
@@ -76,7 +77,8 @@ int run(int ticks, const std::string& mode, int bodies) {
     touch_tick(state, *scene, tuning, goals[0] + Vec3(0.0, 0.0, 0.01), 1e-3, Vec3(0.0),
                playback.at(frames[0], *scene, 0.0, true));
     std::cout << fmt::format("{}, {} bodies, {} of them tracked, checksum {}\n", mode, scene->bodies.size(),
-                             state.solver().tracked(), measured_ticks(state, *scene, tuning, goals, frames, playback));
+                             SolverProbe(state.solver()).tracked(),
+                             measured_ticks(state, *scene, tuning, goals, frames, playback));
     return 0;
 }
 

@@ -17,6 +17,7 @@
 #include "haptic/render/proxy_solver.h"
 #include "haptic/render/touch.h"
 #include "tests/support/names.h"
+#include "tests/support/solver_probe.h"
 #include "tests/support/sphere_mesh.h"
 
 namespace handrail::test {
@@ -100,7 +101,8 @@ void run(int frequency, int ticks, bool timed) {
         "{:.2f} rounds, at most {}  a gathering per {:.1f} ticks  capped {} truncated {}  checksum {}\n",
         mesh.triangles.size(), build_ns / triangles / 1e3, beyond, sum / static_cast<double>(ns.size()),
         ns[ns.size() * 999 / 1000], ns.back(), static_cast<double>(tally.iterations) / ticks, tally.most_iterations,
-        static_cast<double>(ticks) / static_cast<double>(std::max<std::uint64_t>(1, state.solver().gatherings())),
+        static_cast<double>(ticks) /
+            static_cast<double>(std::max<std::uint64_t>(1, SolverProbe(state.solver()).gatherings())),
         tally.capped, tally.truncated, tally.checksum);
 }
 

@@ -17,6 +17,7 @@
 
 #include "haptic/render/proxy_solver.h"
 #include "tests/support/names.h"
+#include "tests/support/solver_probe.h"
 #include "tests/support/worst_cases.h"
 
 namespace handrail::test {
@@ -63,8 +64,8 @@ void report(int number, int ticks, bool timed) {
             run.move(i);
             checksum += measured_ticks(run, i);
             CALLGRIND_DUMP_STATS;
-            most_looks = std::max(most_looks, run.state.solver().looks());
-            work[i] = run.state.solver().work();
+            most_looks = std::max(most_looks, SolverProbe(run.state.solver()).looks());
+            work[i] = SolverProbe(run.state.solver()).work();
         }
     }
     for (int pass = 0; timed && pass < kPasses; ++pass) {

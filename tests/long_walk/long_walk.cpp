@@ -18,6 +18,7 @@
 #include "tests/bench/walked_scene.h"
 #include "tests/support/names.h"
 #include "tests/support/reference_proxy.h"
+#include "tests/support/solver_probe.h"
 
 namespace handrail::test {
 namespace {
@@ -183,7 +184,7 @@ int run(long ticks, std::uint32_t seed) {
         if (r.contacts.ghosted) continue;
         // Both ends of every segment of the proxy's path must be at least a radius away from all solids. If such a
         // segment is shorter than two radii, it cannot pass through a wall.
-        const ProxySolver& solver = state.solver();
+        const SolverProbe solver(state.solver());
         for (int k = 1; k < solver.path_size(); ++k) {
             if (glm::length(solver.path_m(k) - solver.path_m(k - 1)) >= 2 * kRadius_m)
                 return broken(i, "a piece of way is longer than the ball");

@@ -74,7 +74,7 @@ TEST_P(EveryCase, keeps_the_ball_and_its_whole_path_outside_all_obstacles) {  //
         const std::size_t every = stride();
         double deepest = 0.0;
         replay(*case_.world.scene(motion), case_.goals_m, motion, plain_tuning(case_.radius_m),
-               [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver& solver) {
+               [&](std::size_t i, const Vec3&, const TouchResult& r, const SolverProbe& solver) {
                    ASSERT_TRUE(is_finite(r.proxy_m) && is_finite(r.force_n)) << i;
                    if (i % every != 0) return;
                    for (int k = 1; k < solver.path_size(); ++k)
@@ -93,7 +93,7 @@ TEST_P(EveryCase, uses_only_cuts_that_contain_the_ball_and_support_their_obstacl
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     const auto scene = case_.world.scene(motion);
     replay(*scene, case_.goals_m, motion, plain_tuning(case_.radius_m),
-           [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver& solver) {
+           [&](std::size_t i, const Vec3&, const TouchResult& r, const SolverProbe& solver) {
                if (i % 37 != 0) return;
                for (int k = 0; k < solver.candidates(); ++k) {
                    const HalfSpace cut = solver.cut(k);
@@ -210,7 +210,7 @@ TEST_P(EveryCase, moves_the_ball_no_further_per_tick_than_the_cap) {  // invaria
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     Vec3 last_goal = case_.goals_m.front();
     replay(*case_.world.scene(), case_.goals_m, {}, plain_tuning(case_.radius_m),
-           [&](std::size_t, const Vec3& goal, const TouchResult& r, const ProxySolver& solver) {
+           [&](std::size_t, const Vec3& goal, const TouchResult& r, const SolverProbe& solver) {
                double way = 0.0;
                for (int k = 1; k < solver.path_size(); ++k) way += glm::length(solver.path_m(k) - solver.path_m(k - 1));
                EXPECT_LE(way, std::max(0.5e-3, 2.0 * glm::length(goal - last_goal)) + 1e-12);
@@ -261,7 +261,7 @@ double deepest_overlap(const TouchCase& c, const Motion& motion, std::size_t eve
     for (std::size_t i = 0; i < c.goals_m.size(); ++i) {
         const TouchResult r = touch_tick(state, *scene, tuning_of(i), motion(c.goals_m[i]), 1e-3);
         if (i % every != 0) continue;
-        const ProxySolver& solver = state.solver();
+        const SolverProbe solver(state.solver());
         for (int k = 1; k < solver.path_size(); ++k)
             for (int s = 1; s <= 4; ++s) {
                 const Vec3 p = solver.path_m(k - 1) + (solver.path_m(k) - solver.path_m(k - 1)) * (s / 4.0);
@@ -309,7 +309,7 @@ TEST_P(EveryCase, is_as_safe_with_cuts_that_are_fifty_milliseconds_old) {  // in
 TEST_P(EveryCase, never_works_more_than_its_bound) {
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     replay(*case_.world.scene(), case_.goals_m, {}, plain_tuning(case_.radius_m),
-           [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver& solver) {
+           [&](std::size_t i, const Vec3&, const TouchResult& r, const SolverProbe& solver) {
                ASSERT_LE(r.contacts.iterations, 64) << i;
                ASSERT_LE(solver.candidates(), ProxySolver::kMaxCandidates) << i;
                ASSERT_LE(solver.path_size(), 2 * ProxySolver::kMaxIterations + 4) << i;

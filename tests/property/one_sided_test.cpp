@@ -61,7 +61,7 @@ TEST(OneSidedSheets, facing_outwards_stop_the_hand_at_faces_edges_and_corners_at
         const std::vector<Vec3> goals =
             random_path(random, {0, 0, 2 * kHalf}, 0.06, std::max(scaled(speed < 0.1 ? 12 : 60), 4), speed);
         replay(*world.scene(motion), goals, motion, capped ? plain_tuning(kRadius) : uncapped_tuning(kRadius),
-               [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver& solver) {
+               [&](std::size_t i, const Vec3&, const TouchResult& r, const SolverProbe& solver) {
                    touched += r.contacts.count > 0 ? 1 : 0;
                    for (int s = 1; s < solver.path_size(); ++s)
                        for (const double t : {0.25, 0.5, 0.75, 1.0}) {

@@ -1,10 +1,12 @@
-// Runs touch_tick() along a path and passes the result of every tick to a check.
+// Runs touch_tick() along a path and passes the result of every tick to a check, which may take the solver as a
+// SolverProbe.
 #pragma once
 
 #include "haptic/render/proxy_solver.h"
 #include "haptic/render/touch.h"
 #include "tests/support/names.h"
 #include "tests/support/scale.h"
+#include "tests/support/solver_probe.h"
 #include "tests/support/touch_worlds.h"
 
 namespace handrail::test {

@@ -131,7 +131,7 @@ void no_ray_or_sweep_passes_a_seam_of(const std::filesystem::path& path) {
             const std::vector<Vec3> goals = hand_path({start, beyond, beyond + edge * 0.03, beyond - edge * 0.03}, 0.5);
             bool contact = false;
             replay(*haptic, goals, {}, plain_tuning(radius),
-                   [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver& solver) {
+                   [&](std::size_t i, const Vec3&, const TouchResult& r, const SolverProbe& solver) {
                        contact = contact || r.contacts.count > 0;
                        if (i % 12 != 0 && i + 1 != goals.size()) return;
                        for (int k = 0; k < solver.path_size(); ++k)

@@ -41,7 +41,7 @@ TEST_P(WorstTicks, stay_within_their_work_budget_and_never_pass_through_a_surfac
         if (worst.move) worst.move(i, poses);
         const TouchResult r =
             touch_tick(state, scene, worst.tuning, worst.goals_m[i], kTick_s, Vec3(0.0), {poses, i + 1});
-        const ProxySolver& solver = state.solver();
+        const SolverProbe solver(state.solver());
         ASSERT_TRUE(is_finite(r.force_n) && is_finite(r.proxy_m));
         most_work = std::max(most_work, solver.work());
         most_looks = std::max(most_looks, solver.looks());
@@ -120,7 +120,8 @@ TEST(TrackedBodies, give_bit_identical_results_to_tracking_all_bodies) {
         }
         const auto scene = builder.build();
         ProxySolver near, all;
-        all.track_all();
+        SolverProbe::track_all(all);
+        const SolverProbe near_probe(near), all_probe(all);
         BodyFrame frame;
         BodyPlayback playback;
         frame.push(scene->generation, 0.0, poses);
@@ -157,7 +158,7 @@ TEST(TrackedBodies, give_bit_identical_results_to_tracking_all_bodies) {
             request.bodies = &at;
             const ProxySolver::Step& a = near.move(*scene, request);
             const ProxySolver::Step& b = all.move(*scene, request);
-            if (a.waits || b.waits || near.hurries() || all.hurries()) {
+            if (a.waits || b.waits || near_probe.hurries() || all_probe.hurries()) {
                 // Which bodies are tracked affects how much work a tick has time for, and how far the proxy hurries in
                 // one tick. The results may therefore differ, so both solvers start again.
                 ++parted;
@@ -173,10 +174,10 @@ TEST(TrackedBodies, give_bit_identical_results_to_tracking_all_bodies) {
                 ASSERT_TRUE(a.holds[h].body == b.holds[h].body && a.holds[h].obstacle == b.holds[h].obstacle &&
                             a.holds[h].normal == b.holds[h].normal);
             }
-            most = std::max(most, near.tracked());
+            most = std::max(most, near_probe.tracked());
             held += static_cast<std::size_t>(a.count > 0 && a.holds[0].body != ProxySolver::kStill);
         }
-        EXPECT_EQ(all.tracked(), 300U);
+        EXPECT_EQ(all_probe.tracked(), 300U);
         EXPECT_LT(most, 150U);
         EXPECT_LT(parted, ticks / 20);
     }
@@ -216,8 +217,8 @@ TEST(TrackedBodies, let_an_office_open_each_of_two_thousand_doors_to_the_hand) {
         now_s += kTick_s;
         last = touch_tick(state, *scene, tuning, hand = goal, kTick_s, Vec3(0.0),
                           playback.at(frame, *scene, now_s - 0.02));
-        most = std::max(most, state.solver().tracked());
-        most_work = std::max(most_work, state.solver().work());
+        most = std::max(most, SolverProbe(state.solver()).tracked());
+        most_work = std::max(most_work, SolverProbe(state.solver()).work());
     };
     const auto go = [&](const Vec3& to, double step_m) {
         for (int parts = std::max(1, static_cast<int>(std::ceil(glm::length(to - hand) / step_m))); parts > 0; --parts)
@@ -272,8 +273,9 @@ TEST(TrackedBodies, cost_nothing_while_they_are_far_away) {
         }
         touch_tick(state, *scene, tuning, {1e-4 * i, 0.0, 0.003}, kTick_s, Vec3(0.0),
                    playback.at(frame, *scene, 1e-3 * i - 0.02));
-        ASSERT_LE(state.solver().gatherings(), 4U) << "no coming and going of theirs makes the ball look around";
-        ASSERT_EQ(state.solver().tracked(), 0U);
+        ASSERT_LE(SolverProbe(state.solver()).gatherings(), 4U)
+            << "no coming and going of theirs makes the ball look around";
+        ASSERT_EQ(SolverProbe(state.solver()).tracked(), 0U);
     }
 }
 

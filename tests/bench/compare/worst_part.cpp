@@ -5,6 +5,7 @@
 #include "tests/bench/compare/bench.h"
 #include "tests/bench/compare/measure.h"
 #include "tests/support/names.h"
+#include "tests/support/solver_probe.h"
 #include "tests/support/worst_cases.h"
 
 namespace handrail::bench {
@@ -26,8 +27,8 @@ WorstTicks run_worst_case(int number, int ticks, int passes) {
             const double begun_s = thread_s();
             const TouchResult r = touch_tick(state, *worst.scene, worst.tuning, worst.goals_m[i], 1e-3, Vec3(0.0), at);
             best[i] = std::min(best[i], thread_s() - begun_s);
-            out.most_work = std::max(out.most_work, state.solver().work());
-            out.most_looks = std::max(out.most_looks, state.solver().looks());
+            out.most_work = std::max(out.most_work, SolverProbe(state.solver()).work());
+            out.most_looks = std::max(out.most_looks, SolverProbe(state.solver()).looks());
             out.waits += r.contacts.waits;
         }
     }

@@ -6,6 +6,7 @@
 #include "tests/support/names.h"
 #include "tests/support/office_world.h"
 #include "tests/support/scale.h"
+#include "tests/support/solver_probe.h"
 #include "tests/unit/core/app_session.h"
 
 namespace handrail::test {
@@ -25,8 +26,8 @@ struct Hand {
             const BodyPoses poses = playback.at(session.app.bodies(), *scene, session.now, i == 0);
             felt = touch_tick(state, *scene, tuning, from_m + (to_m - from_m) * (static_cast<double>(i) / kTicks), 1e-3,
                               Vec3(0.0), poses);
-            most_followed = std::max(most_followed, state.solver().tracked());
-            most_work = std::max(most_work, state.solver().work());
+            most_followed = std::max(most_followed, SolverProbe(state.solver()).tracked());
+            most_work = std::max(most_work, SolverProbe(state.solver()).work());
         }
         return felt;
     }

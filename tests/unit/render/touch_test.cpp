@@ -5,6 +5,7 @@
 
 #include "haptic/render/proxy_solver.h"
 #include "tests/support/names.h"
+#include "tests/support/solver_probe.h"
 #include "tests/support/sphere_mesh.h"
 #include "tests/support/touch_worlds.h"
 
@@ -445,7 +446,7 @@ TEST(TouchTick, examines_a_limited_number_of_triangles_at_a_start_among_thousand
     TouchTuning tuning;
     for (int i = 0; i < 200; ++i) {
         const TouchResult r = touch_tick(state, *scene, tuning, Vec3(0.0), kTick_s);
-        ASSERT_LE(state.solver().looks(), 4 * ProxySolver::kMostLooks) << "tick " << i;
+        ASSERT_LE(SolverProbe(state.solver()).looks(), 4 * ProxySolver::kMostLooks) << "tick " << i;
         ASSERT_LE(glm::length(r.proxy_m) + r.radius_m, 0.004 + 1e-9) << "nothing of the ball is outside, tick " << i;
         ASSERT_GT(r.radius_m, 0.0);
     }
