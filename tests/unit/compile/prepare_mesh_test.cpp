@@ -536,5 +536,31 @@ TEST(PrepareMesh, makes_a_plane_of_sliver_triangles_feel_like_a_plane) {
         }
 }
 
+// The furrows are lower than the bound, but their sides rise at 70 degrees. A hand must still feel them.
+TEST(SimplifyMesh, keeps_the_sides_of_steep_furrows_lower_than_its_bound) {
+    constexpr std::uint32_t kFurrows = 24;
+    constexpr double kHigh_m = 1e-3;
+    const double wide_m = kHigh_m / std::tan(70.0 * kPi / 180.0);
+    TriangleMesh mesh;
+    for (std::uint32_t i = 0; i <= kFurrows; ++i)
+        for (std::uint32_t k = 0; k <= kFurrows; ++k)
+            mesh.points_m.emplace_back(i * wide_m, 2.0 * k * wide_m, i % 2 == 0 ? 0.0 : kHigh_m);
+    for (std::uint32_t i = 0; i < kFurrows; ++i)
+        for (std::uint32_t k = 0; k < kFurrows; ++k) {
+            const std::uint32_t a = i * (kFurrows + 1) + k, c = a + kFurrows + 1;
+            mesh.triangles.push_back({a, c, c + 1});
+            mesh.triangles.push_back({a, c + 1, a + 1});
+        }
+    const SimplifiedMesh made = simplify_mesh(mesh, {}, 1.5 * kHigh_m);
+    EXPECT_LT(made.mesh.triangles.size(), mesh.triangles.size() / 4) << "along the furrows it has been simplified";
+    std::uint32_t steep = 0;
+    for (const Corners& t : made.mesh.triangles) {
+        const Vec3& a = made.mesh.points_m[t[0]];
+        const Vec3 across = glm::cross(made.mesh.points_m[t[1]] - a, made.mesh.points_m[t[2]] - a);
+        steep += std::abs(across.z) < 0.5 * glm::length(across);
+    }
+    EXPECT_GE(steep, 2 * kFurrows) << "of " << made.mesh.triangles.size();
+}
+
 }  // namespace prepare_mesh_test
 }  // namespace handrail::test

@@ -69,10 +69,16 @@ TEST(Labyrinth, a_hole_swallows_the_ball_and_everything_returns_to_the_start) {
     Player player("labyrinth2.map");
     EXPECT_NE(player.stands().find("A hole is 1.5 rolls east."), std::string::npos) << player.news();
     player.tap(Command::Use, 0.5);
-    player.taps(Command::TurnRight, 2);
-    player.run(3.0);
-    EXPECT_TRUE(player.heard("The ball fell into the hole."));
-    EXPECT_TRUE(player.heard("Back at the start."));
+    player.tap(Command::TurnRight, 1.0);
+    player.hold(Command::TurnRight, 0.05);
+    const auto heard_at_s = [&](const char* text) {
+        for (int frame = 0; frame < 240 && !player.heard(text); ++frame) player.run(1.0 / 60.0);
+        EXPECT_TRUE(player.heard(text)) << text;
+        return player.now;
+    };
+    const double fell_s = heard_at_s("The ball fell into the hole.");
+    EXPECT_NEAR(heard_at_s("Back at the start.") - fell_s, 1.0, 0.1) << "time to hear that the ball fell";
+    player.run(1.0);
     EXPECT_FALSE(player.heard("Finished"));
     const std::string news = player.news();
     EXPECT_EQ(news.find("Ball moved.", news.find("The ball fell into the hole.")), std::string::npos) << news;

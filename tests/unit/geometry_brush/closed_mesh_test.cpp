@@ -208,5 +208,20 @@ TEST(ShellsOf, a_mesh_are_its_pieces_with_closedness_and_visible_side) {
     EXPECT_EQ(held(*solids, {1.5, 1.45, 1.55}), 0);
 }
 
+// Each edge alone joins its two triangles, whichever corners it has.
+TEST(ShellsOf, an_open_sheet_are_one_piece_across_each_of_its_edges) {
+    const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    for (std::uint32_t first = 0; first < 4; ++first) {
+        const auto corner = [&](std::uint32_t k) { return (first + k) % 4; };
+        const std::vector<MeshCorners> triangles{{corner(0), corner(1), corner(2)}, {corner(0), corner(2), corner(3)}};
+        const std::vector<MeshShell> shells = shells_of(points, triangles);
+        ASSERT_EQ(shells.size(), 1U) << first;
+        EXPECT_EQ(shells[0].triangles.size(), 2U);
+        EXPECT_FALSE(shells[0].closed);
+    }
+    const std::vector<MeshCorners> folded{{0, 1, 2}, {1, 0, 3}};
+    EXPECT_EQ(shells_of(points, folded).size(), 1U) << "at the edge with the lowest corners";
+}
+
 }  // namespace closed_mesh_test
 }  // namespace handrail

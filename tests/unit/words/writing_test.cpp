@@ -253,6 +253,18 @@ TEST(WrittenInWords, the_house_is_read_back_with_the_same_rooms_and_doors) { exp
 TEST(WrittenInWords, the_school_is_read_back_with_the_same_rooms_and_doors) { expect_map_comes_back("school.map"); }
 TEST(WrittenInWords, the_first_room_is_read_back) { expect_map_comes_back("first_room.map"); }
 
+TEST(WrittenInWords, windows_name_their_wall_wherever_their_room_is) {
+    for (const std::string side : {"north", "east", "south", "west"})
+        for (const char* corner : {"5 metres east and 2 metres north", "5 metres west and 2 metres south"}) {
+            const std::string window = "Window in the " + side + " wall, 1.5 metres along";
+            const Scene scene = test::read_rooms("Room: Hall, 4 by 3 metres, corner at " + std::string(corner) +
+                                                 ". Door outside in the east wall.\n" + window + ", 1 metre wide.\n");
+            const std::string written =
+                text_of(stated_house(scene, WordLanguage::English), scene, WordLanguage::English);
+            EXPECT_NE(written.find(window), std::string::npos) << written;
+        }
+}
+
 TEST(WrittenInWords, a_building_from_openstreetmap_is_read_back) {
     const std::string osm = test::content_of(test::project_root() / "tests/unit/osm/worlds/test_house.osm");
     const Result<Scene> scene = read_osm(osm, "house.osm");
