@@ -8,6 +8,7 @@
 #include "app/core/session/session.h"
 #include "app/core/whereabouts/rooms_of_world.h"
 #include "app/core/world/walker.h"
+#include "tests/support/every.h"
 #include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
@@ -55,7 +56,7 @@ private:
 
 struct OfWorld : testing::TestWithParam<const char*> {};
 
-TEST_P(OfWorld, the_route_cards_have_the_spoken_legs_to_every_room) {
+TEST_P(OfWorld, the_route_cards_have_the_spoken_legs_to_the_rooms) {
     const std::string file = GetParam();
     if (kSanitizerScale < 1.0 && file != "house.map") GTEST_SKIP() << "the same code as for our house";
     std::filesystem::path path = test::project_root() / "worlds" / "maps" / file;
@@ -75,6 +76,9 @@ TEST_P(OfWorld, the_route_cards_have_the_spoken_legs_to_every_room) {
         if (!base || (start.base && !base->base)) base = &start;
     ASSERT_TRUE(base);
     Walker walker(scene);
+    // A route to a room of a large building takes a second. HANDRAIL_ALL_ROUTES=1 compares those to all rooms.
+    const std::uint32_t stride = path.extension() == ".map" ? 1 : every(4, 4);
+    std::uint32_t rooms_seen = 0;
     int compared = 0, legs = 0;
     for (int number = 1; number <= storey_count(rooms.graph()); ++number) {
         const auto storey = storey_of(*scene, rooms.graph(), rooms.navigation().space(), number);
@@ -87,6 +91,7 @@ TEST_P(OfWorld, the_route_cards_have_the_spoken_legs_to_every_room) {
             const std::uint32_t here = room_at(rooms.graph(), rooms.navigation().space(), base->feet_m);
             if (here != kNothing && sentence_case(rooms.graph().rooms[here].name) == name)
                 continue;  // the list has no route to the room where the person is
+            if (rooms_seen++ % stride != 0) continue;
             walker.stand(rooms.navigation().nearest_place(base->feet_m).value_or(base->feet_m),
                          notch_heading_rad(nearest_notch(base->heading_rad)));
             EXPECT_EQ(fmt::format("{}", fmt::join(way.begin() + 2, way.end(), " ")), walker.told(name)) << name;

@@ -6,6 +6,7 @@
 
 #include "tests/support/lay_floor.h"
 #include "tests/support/names.h"
+#include "tests/support/scale.h"
 #include "tests/unit/exports/plans.h"
 #include "worlds/exports/openings.h"
 #include "worlds/exports/storey_stl.h"
@@ -55,6 +56,7 @@ int enough_lines(const SwellSheet& sheet, double length_m) {
 }
 
 TEST(FloorEdges, are_rows_of_short_lines_where_no_wall_is) {
+    if (kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the smaller sheets of this file";
     Storey storey = two_rooms();
     storey.things.clear();
     storey.walls_m.erase(storey.walls_m.begin() + 1);  // removes the north wall
@@ -70,6 +72,7 @@ TEST(FloorEdges, are_rows_of_short_lines_where_no_wall_is) {
 }
 
 TEST(FloorEdges, have_lines_in_every_direction) {
+    if (kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the smaller sheets of this file";
     for (const double degrees : {5.0, 20.0, 30.0, 45.0, 70.0}) {
         const double turn = degrees / 180.0 * std::numbers::pi;
         const Vec2 along(std::cos(turn), std::sin(turn)), across(-along.y, along.x), from(5.0, 2.0);
@@ -100,6 +103,7 @@ TEST(FloorEdges, have_lines_in_every_direction) {
 }
 
 TEST(FloorEdges, run_along_the_floor_next_to_a_wide_opening_between_rooms) {
+    if (kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the smaller sheets of this file";
     // The opening is as wide as the two halves of the platform are long.
     Storey storey = two_platforms();
     storey.max_m = {21.0, 9.0};

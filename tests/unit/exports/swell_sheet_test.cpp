@@ -175,6 +175,7 @@ std::string brf_for(const std::string& text) {
 }
 
 TEST(SwellSheet, keeps_the_storey_in_its_title_even_with_a_long_name) {
+    if (kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the sheet of our house";
     Storey storey = two_rooms();
     storey.number = 2;
     storey.count = 3;
@@ -188,6 +189,7 @@ TEST(SwellSheet, keeps_the_storey_in_its_title_even_with_a_long_name) {
 }
 
 TEST(SwellSheet, wraps_its_title_and_keeps_as_much_of_a_long_name_as_fits_in_two_lines) {
+    if (kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the sheet of our house";
     const auto head = [](const std::string& world, const Vec2& max_m) {
         Storey storey = two_rooms();
         storey.world = world;
@@ -215,6 +217,7 @@ TEST(SwellSheet, leaves_no_single_word_for_the_second_line_of_its_title) {
 }
 
 TEST(SwellSheet, says_that_the_base_is_outside_and_which_room_has_no_route) {
+    if (kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the sheet of our house";
     Storey storey = two_rooms();
     storey.base = StoreyBase{{40.0, 2.0}, 0.0};
     storey.rooms[1].shut = true;
@@ -226,6 +229,7 @@ TEST(SwellSheet, says_that_the_base_is_outside_and_which_room_has_no_route) {
 }
 
 TEST(SwellSheet, names_its_storey_as_the_file_and_the_room_names_do) {
+    if (kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the sheet of our house";
     Storey storey = two_rooms();
     storey.name = "Level 1";
     storey.number = 3;
@@ -287,6 +291,7 @@ TEST(SwellSheet, of_a_real_building_has_no_sign_for_a_niche_outside_it) {
 }
 
 TEST(SwellSheet, assigns_a_thing_to_the_room_in_which_it_is_drawn) {
+    if (kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the sheet of our house";
     Storey storey = two_rooms();
     // No walker reaches the place of the board, which is next to the wall. The nearest walkable area is in the kitchen,
     // behind the wall.
@@ -550,6 +555,7 @@ TEST(SwellSheet, makes_doors_wide_enough_for_a_finger_and_reports_it) {
 }
 
 TEST(SwellSheet, names_things_that_are_omitted_for_lack_of_space) {
+    if (kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the sheet of our house";
     Storey storey = two_rooms();
     storey.things.push_back({FeatureId{2}, "Cup", {{3.0, 1.0}, {1.0, 0.0}, {0.04, 0.04}}, false});
     storey.things.push_back({FeatureId{3}, "Fountain", {{3.0, 3.0}, {1.0, 0.0}, {0.04, 0.04}}, true});
@@ -741,6 +747,7 @@ TEST(SwellSheet, of_several_has_no_specks_of_walls_at_its_rim) {
 }
 
 TEST(SwellSheet, states_which_stairs_have_no_lines) {
+    if (kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the sheet of our house";
     Storey storey = two_rooms();
     storey.stairs_of_others.push_back({0, {{{1.0, 1.0}, {2.0, 1.0}, {2.0, 3.0}, {1.0, 3.0}}}});
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
@@ -749,6 +756,7 @@ TEST(SwellSheet, states_which_stairs_have_no_lines) {
 }
 
 TEST(SwellSheet, states_where_it_leads_to_other_storeys) {
+    if (kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the sheet of our house";
     Storey storey = two_rooms();
     storey.exits.push_back({PassageKind::Opening, 0, "Cellar", {1.0, 1.0}});
     storey.exits.push_back({PassageKind::Lift, 1, "Attic", {8.0, 1.0}});
@@ -759,6 +767,7 @@ TEST(SwellSheet, states_where_it_leads_to_other_storeys) {
 }
 
 TEST(SwellSheet, states_between_which_rooms_it_is_drawn_closed) {
+    if (kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the sheet of our house";
     Storey storey = two_rooms();
     storey.portals.clear();
     storey.gaps.clear();
@@ -769,6 +778,7 @@ TEST(SwellSheet, states_between_which_rooms_it_is_drawn_closed) {
 }
 
 TEST(SwellSheet, states_which_floors_end_without_a_wall) {
+    if (kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the sheet of our house";
     Storey storey = two_rooms();
     storey.walls_m.erase(storey.walls_m.begin() + 1);  // removes the north wall
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
@@ -781,6 +791,7 @@ TEST(SwellSheet, states_which_floors_end_without_a_wall) {
 }
 
 TEST(SwellSheet, explains_signs_that_differ_on_the_matching_plate) {
+    if (kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the sheet of our house";
     Storey storey = two_rooms();
     storey.max_m = {57.0, 30.0};
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1, false, {"ki", "r12"}});
