@@ -213,12 +213,6 @@ struct Understood {
     std::optional<std::size_t> room, door, thing;  // names in the line by their kind; indices in the names of the world
 
     bool has(Meaning meaning) const { return meanings[index(meaning)]; }
-    template <class... More>
-    bool has_any(Meaning first, More... more) const {
-        return has(first) || (has(more) || ...);
-    }
-    std::optional<std::size_t> any_name() const { return thing ? thing : door ? door : room; }
-    std::optional<std::size_t> goal() const { return room ? room : door ? door : thing; }
 };
 
 Understood understood(const std::vector<std::string>& words, const std::vector<Spotted>& names,
@@ -269,62 +263,105 @@ CommonNoun noun_of(const Understood& line) {
     return CommonNoun::None;
 }
 
-// Questions about a room, door or thing that the line names.
-std::optional<Question> about_name(const Understood& line) {
+template <class... Several>
+Meanings these(Several... several) {
+    Meanings set;
+    (set.set(index(several)), ...);
+    return set;
+}
+
+// Which name a question is about.
+enum class About : std::uint8_t { Nothing, Room, Door, Thing, Goal, Place };
+
+// A rule of the grammar. It fits a line that has all meanings of `all`, at least one of `any` unless that is empty, and
+// none of `none`. If `whole` is true, the line may have no unknown words.
+struct Rule {
+    QuestionKind kind;
+    About about;
+    Meanings all, any = {}, none = {};
+    bool whole = false;
+};
+
+// The rules. The first that fits a line decides. Rules about a name come first; of a line without a name they are
+// skipped, as are those about a kind of name that the line lacks.
+const std::vector<Rule>& rules() {
     using enum Meaning;
-    const auto named = [&](QuestionKind kind, std::optional<std::size_t> name) { return Question{kind, name, {}}; };
-    if (line.has(Far) || (line.has_any(HowMany, What) && line.has(Unit) && !line.has(Size)))
-        return named(QuestionKind::HowFar, line.goal());
-    if (line.has(Size) && line.room) return named(QuestionKind::SizeOf, line.room);
-    if (line.thing && line.has(Room) && !line.has(Go)) return named(QuestionKind::RoomOf, line.thing);
-    if (line.door && line.has(Leads)) return named(QuestionKind::WhichDoor, line.door);
-    if (line.has(Go)) return named(QuestionKind::WayTo, line.goal());
-    if (line.door && line.has(Open)) return named(QuestionKind::IsOpen, line.door);
-    if (line.room && line.has_any(What, List) && !line.has(Where)) return named(QuestionKind::WhatIsIn, line.room);
-    if (line.has_any(Where, Find, Nearest, There) || line.unknown == 0)
-        return named(QuestionKind::WhereIs, line.any_name());
+    using Kind = QuestionKind;
+    static const Meanings nouns = these(Room, Door, Window, Stairs, Storey), asks_what = these(What, Which, There);
+    static const std::vector<Rule> all{
+        {Kind::HowFar, About::Goal, these(Far)},
+        {Kind::HowFar, About::Goal, these(Unit), these(HowMany, What), these(Size)},
+        {Kind::SizeOf, About::Room, these(Size)},
+        {Kind::RoomOf, About::Thing, these(Room), {}, these(Go)},
+        {Kind::WhichDoor, About::Door, these(Leads)},
+        {Kind::WayTo, About::Goal, these(Go)},
+        {Kind::IsOpen, About::Door, these(Open)},
+        {Kind::WhatIsIn, About::Room, {}, these(What, List), these(Where)},
+        {Kind::WhereIs, About::Place, {}, these(Where, Find, Nearest, There)},
+        {Kind::WhereIs, About::Place, {}, {}, {}, true},
+
+        {Kind::Home, About::Nothing, these(Home, Go)},
+        {Kind::SizeOf, About::Nothing, these(Size), {}, these(HowMany, Storey)},
+        {Kind::SizeOf, About::Nothing, these(Size, Unit)},
+        {Kind::Nearest, About::Nothing, these(Nearest), nouns},
+        {Kind::HowMany, About::Nothing, these(HowMany), nouns},
+        {Kind::OwnStorey, About::Nothing, these(Own), these(UpperStorey, LowerStorey), asks_what | these(Go)},
+        {Kind::IsOpen, About::Nothing, these(Door, Open, Leads), {}, asks_what | these(Where)},
+        {Kind::WhichDoor, About::Nothing, these(Door), these(Leads, Behind)},
+        {Kind::GoUp, About::Nothing, these(Go), these(Up, UpperStorey)},
+        {Kind::GoDown, About::Nothing, these(Go), these(Down, LowerStorey)},
+        {Kind::WhichDoor, About::Nothing, these(Door, Which), these(Own, Called)},
+        {Kind::WhichDoor, About::Nothing, these(Door, What), these(Own, Called)},
+        {Kind::IsOpen, About::Nothing, these(Door, Open)},
+        {Kind::Above, About::Nothing, these(Above), {}, these(Storey)},
+        {Kind::Below, About::Nothing, these(Below), {}, these(Storey)},
+        {Kind::StoreyAbove, About::Nothing, these(UpperStorey)},
+        {Kind::StoreyBelow, About::Nothing, these(LowerStorey)},
+        {Kind::StoreyAbove, About::Nothing, these(Up), asks_what},
+        {Kind::GoUp, About::Nothing, these(Up)},
+        {Kind::StoreyBelow, About::Nothing, these(Down), asks_what},
+        {Kind::GoDown, About::Nothing, these(Down)},
+        {Kind::OwnStorey, About::Nothing, these(Storey), these(Own, Which, What)},
+        {Kind::Behind, About::Nothing, these(Behind)},
+        {Kind::Left, About::Nothing, these(Left)},
+        {Kind::Right, About::Nothing, these(Right)},
+        {Kind::WhichDoor, About::Nothing, these(Door, Which)},
+        {Kind::Nearest, About::Nothing, these(Where), nouns, these(Own)},
+        {Kind::Nearest, About::Nothing, these(Find), nouns, these(Own)},
+        {Kind::Rooms, About::Nothing, these(Room, List)},
+        // Unless the line is about the person, an unknown word can be the name of something that this world lacks.
+        {Kind::Here, About::Nothing, these(Where, Person)},
+        {Kind::Here, About::Nothing, these(Where, Own), {}, {}, true},
+        {Kind::Here, About::Nothing, these(Called)},
+        {Kind::Here, About::Nothing, these(Own, Room), these(Which, What)},
+        {Kind::Rooms, About::Nothing, these(Room), these(There, Which)},
+    };
+    return all;
+}
+
+// Returns the name in the line that a rule is about. If a room and a thing have the same name, a route leads to the
+// room, and a question about the place means the thing.
+std::optional<std::size_t> name_for(About about, const Understood& line) {
+    switch (about) {
+        case About::Room:
+            return line.room;
+        case About::Door:
+            return line.door;
+        case About::Thing:
+            return line.thing;
+        case About::Goal:
+            return line.room ? line.room : line.door ? line.door : line.thing;
+        case About::Place:
+            return line.thing ? line.thing : line.door ? line.door : line.room;
+        case About::Nothing:
+            break;
+    }
     return std::nullopt;
 }
 
-// Questions about the person's place and the building.
-std::optional<Question> about_place(const Understood& line) {
-    using enum Meaning;
-    const CommonNoun noun = noun_of(line);
-    const auto plain = [&](QuestionKind kind) { return Question{kind, {}, noun}; };
-    if (line.has(Home) && line.has(Go)) return plain(QuestionKind::Home);
-    if (line.has(Size) && !line.has_any(HowMany, Storey)) return plain(QuestionKind::SizeOf);
-    if (line.has(Size) && line.has(Unit)) return plain(QuestionKind::SizeOf);
-    if (line.has(Nearest) && noun != CommonNoun::None) return plain(QuestionKind::Nearest);
-    if (line.has(HowMany) && noun != CommonNoun::None) return plain(QuestionKind::HowMany);
-    const bool asks_what = line.has_any(What, Which, There);
-    if (line.has(Own) && line.has_any(UpperStorey, LowerStorey) && !line.has(Go) && !asks_what)
-        return plain(QuestionKind::OwnStorey);
-    if (line.has(Door) && line.has(Open) && line.has(Leads) && !asks_what && !line.has(Where))
-        return plain(QuestionKind::IsOpen);
-    if (line.has(Door) && line.has_any(Leads, Behind)) return plain(QuestionKind::WhichDoor);
-    if (line.has(Go) && line.has_any(Up, UpperStorey)) return plain(QuestionKind::GoUp);
-    if (line.has(Go) && line.has_any(Down, LowerStorey)) return plain(QuestionKind::GoDown);
-    if (line.has(Door) && line.has_any(Which, What) && line.has_any(Own, Called)) return plain(QuestionKind::WhichDoor);
-    if (line.has(Door) && line.has(Open)) return plain(QuestionKind::IsOpen);
-    if (line.has(Above) && !line.has(Storey)) return plain(QuestionKind::Above);
-    if (line.has(Below) && !line.has(Storey)) return plain(QuestionKind::Below);
-    if (line.has(UpperStorey)) return plain(QuestionKind::StoreyAbove);
-    if (line.has(LowerStorey)) return plain(QuestionKind::StoreyBelow);
-    if (line.has(Up)) return plain(asks_what ? QuestionKind::StoreyAbove : QuestionKind::GoUp);
-    if (line.has(Down)) return plain(asks_what ? QuestionKind::StoreyBelow : QuestionKind::GoDown);
-    if (line.has(Storey) && line.has_any(Own, Which, What)) return plain(QuestionKind::OwnStorey);
-    if (line.has(Behind)) return plain(QuestionKind::Behind);
-    if (line.has(Left)) return plain(QuestionKind::Left);
-    if (line.has(Right)) return plain(QuestionKind::Right);
-    if (line.has(Door) && line.has(Which)) return plain(QuestionKind::WhichDoor);
-    if (line.has_any(Where, Find) && noun != CommonNoun::None && !line.has(Own)) return plain(QuestionKind::Nearest);
-    if (line.has(Room) && line.has(List)) return plain(QuestionKind::Rooms);
-    // Unless the line is about the person, an unknown word can be the name of something that this world lacks.
-    if (line.has(Where) && (line.has(Person) || (line.has(Own) && line.unknown == 0))) return plain(QuestionKind::Here);
-    if (line.has(Called) || (line.has_any(Which, What) && line.has(Own) && line.has(Room)))
-        return plain(QuestionKind::Here);
-    if (line.has(Room) && line.has_any(There, Which)) return plain(QuestionKind::Rooms);
-    return std::nullopt;
+bool fits(const Rule& rule, const Understood& line) {
+    return (line.meanings & rule.all) == rule.all && (rule.any.none() || (line.meanings & rule.any).any()) &&
+           (line.meanings & rule.none).none() && !(rule.whole && line.unknown > 0);
 }
 
 }  // namespace
@@ -336,11 +373,15 @@ std::optional<Question> question_in(std::string_view line, std::span<const NameI
     if (words.empty()) return std::nullopt;
     const Understood all = understood(words, names_in(words, names, lexicon), names, lexicon);
     if (3 * all.unknown > all.words) return std::nullopt;
-    const bool counts = all.has(Meaning::HowMany) && !all.has(Meaning::Unit) && noun_of(all) != CommonNoun::None;
-    const bool nearest = all.has(Meaning::Nearest) && noun_of(all) != CommonNoun::None;
-    if (all.any_name() && !counts && !nearest)
-        if (const auto question = about_name(all)) return question;
-    return about_place(all);
+    // "How many stairs" and "the nearest window" do not mean the thing of that name.
+    const bool of_a_noun = noun_of(all) != CommonNoun::None &&
+                           (all.has(Meaning::Nearest) || (all.has(Meaning::HowMany) && !all.has(Meaning::Unit)));
+    for (const Rule& rule : rules()) {
+        if (!fits(rule, all)) continue;
+        if (rule.about == About::Nothing) return Question{rule.kind, {}, noun_of(all)};
+        if (const auto name = name_for(rule.about, all); name && !of_a_noun) return Question{rule.kind, name, {}};
+    }
+    return std::nullopt;
 }
 
 std::optional<std::size_t> name_in(std::string_view line, std::span<const NameInWorld> names) {
