@@ -417,13 +417,13 @@ TEST(Wayfinding, reports_the_target_of_warmer_as_found_only_on_its_side_of_a_wal
     plain.stand({0.0, 1.6, 0.0});
     seek.start_warmer(bell);
     (void)seek.warmer_words(0.0);
-    for (int tick = 0; tick < 40; ++tick) seek.tick_warmer(0.1 * tick);
+    for (int tick = 0; tick < 40; ++tick) EXPECT_FALSE(seek.tick_warmer(0.1 * tick));
     EXPECT_TRUE(seek.warmer().on()) << "0.9 m away, beyond the wall";
-    (void)plain.said();
     plain.stand({0.0, 3.2, 0.0});
-    for (int tick = 40; tick < 80; ++tick) seek.tick_warmer(0.1 * tick);
+    int found = 0;
+    for (int tick = 40; tick < 80; ++tick) found += seek.tick_warmer(0.1 * tick) ? 1 : 0;
     EXPECT_FALSE(seek.warmer().on());
-    EXPECT_THAT(plain.said(), Contains(HasSubstr("Bell")));
+    EXPECT_EQ(found, 1);
 }
 
 // ---- the guide that combines them ----
