@@ -54,7 +54,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     where_.far.enter_world();
     where_.climbs.enter_world();
     where_.visits.enter_world();
-    too_early_.reset();
+    questions_.too_early.reset();
     // The additions come before the scene for the hand is made, because things with a mark are not simplified.
     take_additions();
     hand_.touch_view.enter_world(std::move(world.sharp), now_s);
@@ -134,7 +134,7 @@ void Session::press(Command command, double now_s, int times) {
     if (command != Command::Repeat && command != Command::HistoryBack && command != Command::HistoryForward &&
         command != Command::StopSpeech && command != Command::StopEverything)
         quiet(now_s);
-    if (command != Command::Repeat && command != Command::StopSpeech) too_early_.reset();
+    if (command != Command::Repeat && command != Command::StopSpeech) questions_.too_early.reset();
     hand_.workspace.note_command();
     if (lesson_session_.takes(command, now_s)) return;
     lesson_session_.note(command);
@@ -176,7 +176,7 @@ void Session::know_stops(std::uint32_t stops, double now_s) {
 bool Session::idle() const {
     if (!lesson_session_.idle() || state_.requests.set_up) return false;
     if (!menu_.reports().idle(state_.context.tick_s) || !places_.faults.idle()) return false;
-    if (too_early_ && state_.context.tick_s - too_early_->asked_s < kAnswerFollows_s) return false;
+    if (questions_.too_early && state_.context.tick_s - questions_.too_early->asked_s < kAnswerFollows_s) return false;
     return walk_.walking.idle() && bodies_.idle() && hand_.workspace.idle() && !walk_.keys_held.any();
 }
 
@@ -186,13 +186,13 @@ void Session::act(Command command, double now_s, int times) {
     where_.rooms.take_refused();  // Forgets refusals to other callers since the last command.
     carry_out(command, now_s, times);
     where_.far.note(command);
-    if (where_.rooms.take_refused()) too_early_ = TooEarly{command, {}, now_s};
+    if (where_.rooms.take_refused()) questions_.too_early = Questions::TooEarly{command, {}, now_s};
 }
 
 // Answers the question that was asked before the rooms were known.
 void Session::answer_what_was_too_early(double now_s) {
-    if (!too_early_ || where_.rooms.awaited()) return;
-    const TooEarly asked = *std::exchange(too_early_, std::nullopt);
+    if (!questions_.too_early || where_.rooms.awaited()) return;
+    const Questions::TooEarly asked = *std::exchange(questions_.too_early, std::nullopt);
     if (state_.lists.dialogue.is_open()) return;
     if (asked.command) act(*asked.command, now_s);
     else answer_question(asked.line, now_s);

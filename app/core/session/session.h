@@ -128,7 +128,7 @@ public:
     bool works_in_background() const { return hand_.touch_view.busy() || settled_.busy(); }
 
     // Returns a sentence with questions that would have worked instead of this line; empty if there is none.
-    std::string question_hint(std::string_view line) const { return answers_.hint(line); }
+    std::string question_hint(std::string_view line) const { return questions_.answers.hint(line); }
 
     // Returns the answer to "where am I", which is also announced when a world is entered.
     std::string where_am_i() const { return where_.asking.where_am_i(); }
@@ -203,7 +203,7 @@ private:
     MoverFeatures movers_{state_};
     Bodies bodies_{state_.context, state_.world, state_.hands};
     Guide guide_{state_.context, where_.rooms, movers_.doors};
-    Answers answers_{state_.context, where_.rooms, where_.asking, guide_};
+    Questions questions_{state_, where_, guide_};
     WalkingFeatures walk_{state_};
     HandFeatures hand_{state_, walk_.keys_held};
     DeskVisit desk_visit_{state_.context};
@@ -229,14 +229,6 @@ private:
         bool leads = false, list_open = false;  // the values that the events Leading and ListShown reported last
     };
     Watched watched_;
-    struct TooEarly {
-        std::optional<Command> command;
-        std::string line;  // a typed question, if there is no command
-        double asked_s = 0.0;
-    };
-    // A question that the person asked while the session was still searching for the rooms. It is answered once the
-    // rooms are known.
-    std::optional<TooEarly> too_early_;
 };
 
 }  // namespace handrail::core

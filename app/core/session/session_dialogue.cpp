@@ -96,16 +96,16 @@ bool Session::take_line(std::string_view line, double now_s) {
 
 // Returns true if the line is no command and contains a question that the session answers.
 bool Session::is_question(std::string_view line) const {
-    return state_.world.scene && !is_command_line(line) && answers_.knows(line);
+    return state_.world.scene && !is_command_line(line) && questions_.answers.knows(line);
 }
 
 bool Session::answer_question(std::string_view line, double now_s) {
     if (!is_question(line)) return false;
     quiet(now_s);
     where_.rooms.take_refused();  // Forgets refusals to other callers.
-    too_early_.reset();
-    answers_.answer(line, now_s);
-    if (where_.rooms.take_refused()) too_early_ = TooEarly{{}, std::string(line), now_s};
+    questions_.too_early.reset();
+    questions_.answers.answer(line, now_s);
+    if (where_.rooms.take_refused()) questions_.too_early = Questions::TooEarly{{}, std::string(line), now_s};
     return true;
 }
 

@@ -67,6 +67,21 @@ struct WalkingFeatures {
     Walking walking;
 };
 
+// The questions that the person asks.
+struct Questions {
+    Questions(SessionState& state, Whereabouts& where, Guide& guide)
+        : answers(state.context, where.rooms, where.asking, guide) {}
+    Answers answers;
+    struct TooEarly {
+        std::optional<Command> command;
+        std::string line;  // a typed question, if there is no command
+        double asked_s = 0.0;
+    };
+    // A question that the person asked while the session was still searching for the rooms. It is answered once the
+    // rooms are known.
+    std::optional<TooEarly> too_early;
+};
+
 // Features that determine what the hand feels, where its workspace is, and whether there is force.
 struct HandFeatures {
     HandFeatures(SessionState& state, const HeldKeys& keys_held)

@@ -55,7 +55,9 @@ void Session::wire() {
         };
         return std::vector<MarkList::Row>{
             {{phrase("guide.beacon"), beacon}, [this](double now_s) { guide_.mute_beacon(now_s); }},
-            {{phrase("guide.help"), help(), true}, [this](double now_s) { guide_.take_me(now_s); }, change_help}};
+            {{phrase("guide.help"), help(), true},
+             [this](double now_s) { (void)guide_.act(Command::TakeMe, now_s); },
+             change_help}};
     };
     movers_.triggers.on_leads_elsewhere = [this](const Vec3& feet_m, double heading_rad, double now_s) {
         place(feet_m, heading_rad, now_s);

@@ -72,7 +72,6 @@ public:
     bool leads_to(std::string_view typed) const;
     // Opens the list of the tools to find this thing.
     void open_tools(const Goal& goal, double now_s);
-    void take_me(double now_s);
     void mute_beacon(double now_s);
     // Switches the beacon on at this goal, without an announcement.
     void call_from(const Goal& goal);
@@ -124,6 +123,7 @@ private:
     void tell_found(const std::string& name, double now_s);
     void tell_beacon(double now_s);
     void tell_warmer(double now_s);
+    void take_me(double now_s);
     void list_routes(double now_s);
     void list_storeys(double now_s);
     void open_find(double now_s);
