@@ -2,6 +2,9 @@
 // depend on each other. Use them on the app thread only.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "app/core/context/session_state.h"
 #include "app/core/context/soundscape.h"
 #include "app/core/dialogue/held_keys.h"
