@@ -81,7 +81,7 @@ TEST(Terminal, keys_act_at_once_and_commands_are_typed_after_a_colon) {
 TEST(Terminal, digits_function_keys_space_and_escape_act_as_in_the_window) {
     const AtTerminal at;
     ASSERT_TRUE(at.in_first_room()) << at.job->said();
-    EXPECT_TRUE(at.after("2", "Ahead: ")) << "a digit: what is around";
+    EXPECT_TRUE(at.after("2", "Behind: ")) << "a digit: what is around";
     EXPECT_TRUE(at.after("\x1bOQ", "facing north")) << "F2: where am I";
     EXPECT_TRUE(at.after(" ", "facing north")) << "Space: the same again";
     EXPECT_TRUE(at.after("\x1b[1;2Q", "Turned to the nearest wall")) << "Shift+F2: I am lost";
