@@ -513,7 +513,7 @@ TEST(Wayfinding, guides_by_ear_if_force_is_not_permitted) {
     EXPECT_FALSE(plain.guide.way_m().empty());
     EXPECT_EQ(plain.guide.planned().stops().size(), 2U);
     plain.hands.tuning.forces_on = true;
-    plain.guide.take_me(1.0);
+    EXPECT_TRUE(plain.guide.act(Command::TakeMe, 1.0));
     plain.guide.lead(2.5);
     EXPECT_GT(plain.guide.path().number, 0U) << "and by the hand where it may";
 }
@@ -588,7 +588,7 @@ TEST(Wayfinding, reports_guidance_of_a_hand_as_events) {
     Guided plain;
     plain.give_hand({0.0, 0.0, 1.0});
     plain.guide.open_tools(plain.goal("Well"), 0.0);
-    plain.guide.take_me(0.0);
+    EXPECT_TRUE(plain.guide.act(Command::TakeMe, 0.0));
     EXPECT_THAT(facts(plain), ElementsAre("led Well by 0"));
     plain.guide.lead(1.1);
     plain.felt(plain.guide.path(), GuidancePhase::LetGo);
