@@ -85,7 +85,7 @@ void open(const SessionContext& context, ListSpec list, const Kinds& kinds, std:
 
 }  // namespace
 
-void open_kinds_first(const SessionContext& context, ListSpec list, std::vector<std::vector<std::string>> kinds,
+void open_kinds_first(const SessionContext& context, ListSpec list, const std::vector<std::vector<std::string>>& kinds,
                       double now_s) {
     contract_pre(kinds.size() == list.items.size());
     open(context, std::move(list), kinds, 0, now_s);

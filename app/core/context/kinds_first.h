@@ -16,7 +16,7 @@ inline constexpr std::size_t kMostEntries = 50;
 // each with its number of items, and "Everything" at the end. A kind with too many items opens the list of its own
 // kinds. Items without a kind and without an adjustable value come first. A typed name chooses its item in the list of
 // kinds, too.
-void open_kinds_first(const SessionContext& context, ListSpec list, std::vector<std::vector<std::string>> kinds,
+void open_kinds_first(const SessionContext& context, ListSpec list, const std::vector<std::vector<std::string>>& kinds,
                       double now_s);
 
 }  // namespace handrail::core

@@ -157,7 +157,7 @@ void open_find_list(const SessionContext& context, const Rooms& rooms,
             if (kinds[i].empty() && is_of(context, goal, kind))
                 kinds[i].push_back(sentence_case(phrase(kKinds[static_cast<std::size_t>(kind)])));
     }
-    open_kinds_first(context, std::move(list), std::move(kinds), now_s);
+    open_kinds_first(context, std::move(list), kinds, now_s);
 }
 
 }  // namespace handrail::core

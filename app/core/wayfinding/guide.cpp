@@ -243,7 +243,7 @@ void Guide::list_routes(double now_s) {
         }
         go_to_room(rooms[at], context_.tick_s);
     };
-    open_kinds_first(context_, std::move(list), std::move(kinds_of_items), now_s);
+    open_kinds_first(context_, std::move(list), kinds_of_items, now_s);
 }
 
 // While the rooms are not known, compares the text with the room names of the map.

@@ -156,7 +156,7 @@ void FarPlaces::choose_room(double now_s) {
         if (rooms_.found() && rooms[at] < rooms_.graph().rooms.size())
             context_.answer(room_words(context_, rooms_, rooms[at]), context_.tick_s);
     };
-    open_kinds_first(context_, std::move(list), std::move(kinds_of_items), now_s);
+    open_kinds_first(context_, std::move(list), kinds_of_items, now_s);
 }
 
 }  // namespace handrail::core
