@@ -100,8 +100,8 @@ TEST(ProgramLines, find_a_room_with_the_exact_name_before_things_whose_names_beg
     const auto house = read_world(test::bundled_world("house.map"));
     ASSERT_TRUE(house);
     for (const auto& [line, answer] :
-         {std::pair("where is the kitchen", "Kitchen: "),
-          std::pair("where is the kitchen counter", "Kitchen counter"), std::pair("where is the piano", "Piano")}) {
+         {std::pair("where is the kitchen", "Kitchen: "), std::pair("where is the kitchen counter", "Kitchen counter"),
+          std::pair("where is the piano", "Piano")}) {
         Typed typed(std::make_shared<const Scene>(*house));
         typed.run(0.5);
         typed.lines.lines().add(line);
