@@ -1,4 +1,4 @@
-// Runs touch_tick() along a path and passes the result of every tick to a check, which may take the solver as a
+// Runs touch_tick() along a path and passes the result of every tick to a check. The check may take the solver as a
 // SolverProbe.
 #pragma once
 

@@ -47,8 +47,9 @@ std::optional<Vec2> nearest_floor_m(const Storey& storey, std::uint32_t room, co
     return nearest;
 }
 
-// Returns the free squares without a room that are in one piece with at least `least` others, next to the floors of at
-// least two rooms. Walkways enclose such a piece. `beside`: the rooms whose floors are near.
+// Returns the free squares that belong to no room and lie between the floors of rooms, such as a void that walkways
+// enclose. Squares that touch form a piece. A piece counts if each of its squares has at least `least` others in the
+// piece, and if at least two rooms have floors next to it. `beside` contains the rooms whose floors are near.
 std::vector<std::size_t> squares_between_rooms(const RoomGrid& grid, const RoomGrid& beside, double least) {
     std::vector<std::size_t> found;
     std::vector<std::uint8_t> seen(grid.room.size(), 0);

@@ -72,7 +72,7 @@ void judge(const Recorded& recorded, const std::string& name, int least, std::ve
     EXPECT_THAT(test::never_heard(must, test::spoken(lines)), ::testing::IsEmpty()) << transcript;
 }
 
-// Returns texts that the person must hear at any time.
+// Requires that the person hears each of these texts, at whatever time.
 std::vector<test::MustHear> texts(const std::vector<std::string>& all) {
     std::vector<test::MustHear> must;
     for (const std::string& text : all) must.push_back({0.0, 1e9, text});

@@ -52,7 +52,7 @@ public:
     static std::vector<float> alone(const PrintedLine& line);
 
 private:
-    // Passes everything on to the mix, and keeps the single sounds.
+    // Passes all sounds on to the mix, and stores the single sounds.
     class Ears : public AudioSink {
     public:
         explicit Ears(const Sounding& mix) : mix_(mix) {}
