@@ -73,11 +73,12 @@ void Answers::answer(std::string_view line, double now_s) {
     if (asked->kind == QuestionKind::Home || asked->kind == QuestionKind::Here)
         return context_.asks.perform(asked->kind == QuestionKind::Home ? Command::Home : Command::WhereAmI, now_s);
     if (!needs_no_rooms(asked->kind) && !rooms_.have(now_s)) return;
-    // With the rooms known, the line may contain other names.
+    // With the rooms known, the line may contain other names, and the names have other indices.
     const std::vector<Named> all = named();
-    const auto question = question_in(line, names_alone(all)).value_or(*asked);
-    const Named* named = question.name && *question.name < all.size() ? &all[*question.name] : nullptr;
-    if (auto text = words(question, named, now_s)) context_.answer(std::move(*text), now_s);
+    const auto question = question_in(line, names_alone(all));
+    if (!question) return context_.answer(phrase("terminal.no_sentence", {{"line", line}}), now_s);
+    const Named* named = question->name ? &all[*question->name] : nullptr;
+    if (auto text = words(*question, named, now_s)) context_.answer(std::move(*text), now_s);
 }
 
 // Returns the answer, or no value if the answer is announced otherwise, as that of a route is.

@@ -173,7 +173,8 @@ Judged judge(const std::vector<Transcribed>& lines) {
         if (!line.matters()) continue;
         Run& run = runs[line.topic];
         if (run.text != line.text) {
-            // A line that begins with the text of the previous one replaces it: "Kitchen. You are there." replaces "Kitchen".
+            // A line that begins with the text of the previous one replaces it: "Kitchen. You are there." replaces
+            // "Kitchen".
             if (!line.text.starts_with(run.text)) end(run);
             run = {.text = line.text};
         }
