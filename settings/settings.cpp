@@ -115,10 +115,10 @@ std::string toml_text(const SettingValue& value) {
 
 // Adds the name of the file to an error of a TomlReader. If the line is known, turns the reason into a sentence.
 Error damage_in(const fs::path& path, const Error& error) {
-    Error told = error;
-    told.file = path.filename().string();
-    if (error.line > 0) told.message = phrase("settings_file.damaged", {{"reason", error.message}});
-    return told;
+    Error reported = error;
+    reported.file = path.filename().string();
+    if (error.line > 0) reported.message = phrase("settings_file.damaged", {{"reason", error.message}});
+    return reported;
 }
 
 Result<toml::table> parse(const std::string& content, const fs::path& path) {
@@ -499,7 +499,7 @@ Result<std::optional<SettingsStore::ToSave>> SettingsStore::to_save() const {
     return ToSave{path, std::move(text)};
 }
 
-fs::path settings_beside(const fs::path& world) {
+fs::path settings_next_to(const fs::path& world) {
     return world.empty() ? fs::path() : fs::path(world).replace_extension(".settings.toml");
 }
 

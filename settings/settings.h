@@ -251,7 +251,7 @@ Result<void> change_setting(Settings& settings, std::string_view key, std::strin
 
 // Returns the path of the file with a world's own settings: house.settings.toml for house.map. Returns an empty path if
 // `world` is empty.
-std::filesystem::path settings_beside(const std::filesystem::path& world);
+std::filesystem::path settings_next_to(const std::filesystem::path& world);
 // Returns true if a world's settings file may set this key.
 bool world_may_set(std::string_view key);
 

@@ -45,7 +45,7 @@ public:
     ~Impl() {
         quit_ = true;
         channel_->on_change({});
-        channel_->set_state(sinks::VoiceState::Gone);
+        channel_->set_state(sinks::VoiceState::Unavailable);
         if (!thread_.joinable()) return;
         g_main_context_wakeup(nullptr);
         thread_.join();
@@ -94,7 +94,7 @@ private:
             }
             follow_focus();
             follow_dialogue();
-            keys_.ask();
+            keys_.query_reader();
             settle();
             read();
             wait();
@@ -159,16 +159,16 @@ private:
     void follow_focus() {
         const bool focused = focused_;
         const bool heard = built_ && listened_to_;
-        if (focused != told_focus_ || heard != heard_) {
+        if (focused != announced_focus_ || heard != heard_) {
             if (heard != heard_) settled_ = false;
-            told_focus_ = focused;
+            announced_focus_ = focused;
             heard_ = heard;
             settles_at_s_ = heard && focused ? std::max(now_s(), built_at_s_) + kSettles_s : 0.0;
             if (built_) show_focus(focused);
         }
         keys_.set_heard(heard);
-        if (!heard || !channel_->wanted()) channel_->set_state(sinks::VoiceState::Gone);
-        else if (channel_->state() == sinks::VoiceState::Gone) channel_->set_state(sinks::VoiceState::Opening);
+        if (!heard || !channel_->wanted()) channel_->set_state(sinks::VoiceState::Unavailable);
+        else if (channel_->state() == sinks::VoiceState::Unavailable) channel_->set_state(sinks::VoiceState::Opening);
     }
 
     void show_focus(bool focused) {
@@ -182,17 +182,17 @@ private:
     // that is still shown there must not be announced again.
     void move_focus(HandrailNode* to) {
         if (to == focus_) return;
-        if (told_focus_) set_state(focus_, ATK_STATE_FOCUSED, false);
+        if (announced_focus_) set_state(focus_, ATK_STATE_FOCUSED, false);
         if (focus_ != view_) atk_object_set_description(&focus_->parent, "");
         focus_ = to;
-        if (told_focus_) set_state(focus_, ATK_STATE_FOCUSED, true);
+        if (announced_focus_) set_state(focus_, ATK_STATE_FOCUSED, true);
     }
 
     // After the settling time, notifies the reader of the window and its focus again. From then on, the channel's voice
     // is ready: the reader speaks for Handrail until the reader ends, even if another window has the keyboard. The
     // reader then also reads that other window, and a second voice would talk over the reader.
     void settle() {
-        if (heard_ && told_focus_ && !settled_ && now_s() >= settles_at_s_) {
+        if (heard_ && announced_focus_ && !settled_ && now_s() >= settles_at_s_) {
             show_focus(true);
             settled_ = true;
         }
@@ -200,12 +200,13 @@ private:
     }
 
     void read() {
-        if (!settled_ || !told_focus_) return;
+        if (!settled_ || !announced_focus_) return;
         auto text = channel_->take();
         if (!text) return;
         follow_dialogue();  // the reader must know the open list before it receives a text about that list
-        if (!told_by_focus_.empty() && (*text == told_by_focus_ || text->ends_with(". " + told_by_focus_))) {
-            told_by_focus_.clear();
+        if (!announced_by_focus_.empty() &&
+            (*text == announced_by_focus_ || text->ends_with(". " + announced_by_focus_))) {
+            announced_by_focus_.clear();
             return;  // Orca has announced this text already, because the focus moved to the item with that name
         }
         if (focus_ != view_) {
@@ -270,7 +271,7 @@ private:
         if (shown_.at == next.at || next.at >= next.items.size()) return;
         select(shown_.at, false);
         select(next.at, true);
-        told_by_focus_ = next.where;
+        announced_by_focus_ = next.where;
         move_focus((*dialogue_->children)[next.at]);
     }
 
@@ -292,17 +293,17 @@ private:
         g_signal_emit_by_name(frame_, "children-changed::add", static_cast<guint>(frame_->children->size() - 1),
                               dialogue_, nullptr);
         if (list && view.at < view.items.size()) {
-            told_by_focus_ = view.where;
+            announced_by_focus_ = view.where;
             move_focus((*dialogue_->children)[view.at]);
         } else if (!list) {
-            told_by_focus_ = view.where;
+            announced_by_focus_ = view.where;
             move_focus(dialogue_);
         }
     }
 
     void remove_dialogue() {
         if (!dialogue_) return;
-        told_by_focus_.clear();
+        announced_by_focus_.clear();
         std::erase(*frame_->children, dialogue_);
         g_signal_emit_by_name(frame_, "children-changed::remove", static_cast<guint>(frame_->children->size()),
                               dialogue_, nullptr);
@@ -335,13 +336,13 @@ private:
     double look_due_s_ = 0.0;
     bool listened_to_ = false, tried_ = false, built_ = false;
     double built_at_s_ = 0.0;
-    bool told_focus_ = false, heard_ = false, settled_ = false;
+    bool announced_focus_ = false, heard_ = false, settled_ = false;
     double settles_at_s_ = 0.0;
     HandrailNode* frame_ = nullptr;  // object of the window, a child of the root
     HandrailNode* view_ = nullptr;
     // The object that has the keyboard while the window has it: view_, or the open list or question.
     HandrailNode* focus_ = nullptr;
-    std::string told_by_focus_;  // words that the reader announces because the focus moved to them
+    std::string announced_by_focus_;  // words that the reader announces because the focus moved to them
 };
 
 Accessible::Accessible(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -25,7 +25,7 @@ window::KeyVerdict ReaderKeys::verdict(std::uint64_t ticket) {
 
 void ReaderKeys::set_heard(bool heard) { listened_to_ = heard && key_listener().listens; }
 
-void ReaderKeys::ask() {
+void ReaderKeys::query_reader() {
     for (;;) {
         Offered key;
         {

@@ -23,7 +23,7 @@ public:
     // that listens to keys.
     void set_heard(bool heard);
     // Accessibility thread. Asks the screen reader about each offered key.
-    void ask();
+    void query_reader();
 
 private:
     struct Offered {

@@ -37,7 +37,7 @@ void CompanionDevices::start() {
 }
 
 void CompanionDevices::stop() {
-    stop_asked_.store(true, std::memory_order_release);
+    stop_requested_.store(true, std::memory_order_release);
     if (thread_.joinable()) thread_.join();
     plugged_.clear();
     count_ = 0;
@@ -66,7 +66,7 @@ void CompanionDevices::give(const device::FingerCue& cue) {
 
 void CompanionDevices::run() {
     double next_s = clock_.now_s();
-    while (!stop_asked_.load(std::memory_order_acquire)) {
+    while (!stop_requested_.load(std::memory_order_acquire)) {
         step();
         next_s = std::max(next_s + (plugged_.empty() ? 10.0 * kPeriod_s : kPeriod_s), clock_.now_s());
         clock_.sleep_until_s(next_s);
@@ -116,10 +116,10 @@ bool CompanionDevices::serve(Plugged& plugged, const device::FingerCue& cue, dou
         if (const auto command = command_of(static_cast<drivers::CompanionButton>(i))) commands_.push_back(*command);
     }
     const bool due =
-        cue != plugged.told ? now_s - plugged.told_s >= kCueEvery_s : now_s - plugged.told_s >= kCueAgain_s;
+        cue != plugged.sent ? now_s - plugged.sent_s >= kCueEvery_s : now_s - plugged.sent_s >= kCueAgain_s;
     if (!due) return true;
-    plugged.told = cue;
-    plugged.told_s = now_s;
+    plugged.sent = cue;
+    plugged.sent_s = now_s;
     return plugged.device->cue(cue);
 }
 

@@ -56,8 +56,8 @@ private:
         drivers::FoundCompanion found;
         std::unique_ptr<drivers::Companion> device;
         drivers::CompanionState state;
-        device::FingerCue told;
-        double told_s = -1e9;
+        device::FingerCue sent;
+        double sent_s = -1e9;
     };
 
     void run();
@@ -66,7 +66,7 @@ private:
 
     Clock& clock_;
     std::thread thread_;  // only the app thread uses it
-    std::atomic<bool> stop_asked_{false};
+    std::atomic<bool> stop_requested_{false};
     std::atomic<std::size_t> count_{0};
 
     std::mutex mutex_;  // guards the four members after it

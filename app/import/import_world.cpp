@@ -81,7 +81,7 @@ Result<ImportedWorld> read_here(const fs::path& path, const readers::ReadOptions
 }  // namespace
 
 Result<ImportedWorld> import_world(const fs::path& path, const readers::ReadOptions& options, const ImportHow& how) {
-    if (how.program.empty() || options.read_beside) return read_here(path, options);
+    if (how.program.empty() || options.read_next_to) return read_here(path, options);
     const bool map = lower_ascii(path.extension().string()) == ".map";
     const std::optional<FileState> before =
         how.cache ? state_of(path, map ? kLeastKeptMap_bytes : kLeastKept_bytes, options.stop)

@@ -38,7 +38,7 @@ void fields(A& a, T& v) {
 
 namespace handrail::importing {
 
-inline constexpr int kAnswerFd = 3, kTellFd = 4, kFilesFd = 5, kKeptFd = 6;
+inline constexpr int kAnswerFd = 3, kProgressFd = 4, kFilesFd = 5, kKeptFd = 6;
 inline constexpr int kReaderWords = 12;  // number of arguments, including the program's name
 inline constexpr int kWrongUse = 2, kNoMemory = 3, kNoRoom = 4, kCutMeanwhile = 5;
 // The program passes this word instead of the names of a world and of a cached file. It means that the text at the

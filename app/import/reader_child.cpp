@@ -19,7 +19,7 @@
 #include "worlds/cache/cache.h"
 #include "worlds/cache/sha256.h"
 #include "worlds/confine/confine.h"
-#include "worlds/stored/stored_ways.h"
+#include "worlds/stored/stored_navigation.h"
 
 namespace handrail::importing {
 namespace {
@@ -69,14 +69,14 @@ void end_where_the_file_was_cut() {
     ::sigaction(SIGBUS, &act, nullptr);
 }
 
-int answer(const ReaderAnswer& told, std::string_view bytes) {
+int answer(const ReaderAnswer& reported, std::string_view bytes) {
     stored::Packer pack;
-    pack(told);
+    pack(reported);
     return write_all(kAnswerFd, pack.take()) && write_all(kAnswerFd, bytes) ? 0 : kNoRoom;
 }
 
-Result<std::string> read_requested_beside(const std::string& name) {
-    const Result<OpenFile> file = request_beside(kFilesFd, name);
+Result<std::string> read_requested_next_to(const std::string& name) {
+    const Result<OpenFile> file = request_next_to(kFilesFd, name);
     return file ? read_whole_file(*file, readers::kLargestNeighbour_bytes, {}) : tl::unexpected(file.error());
 }
 
@@ -91,7 +91,7 @@ Result<Scene> read_requested(const std::string& name, const readers::ReadOptions
 // missing must still be missing.
 bool same_beside(const std::vector<NeighbourFile>& beside) {
     return std::all_of(beside.begin(), beside.end(), [](const NeighbourFile& file) {
-        const Result<std::string> bytes = read_requested_beside(file.name);
+        const Result<std::string> bytes = read_requested_next_to(file.name);
         return (bytes ? cache::sha256_of(*bytes) : std::string()) == file.sha256;
     });
 }
@@ -107,28 +107,28 @@ std::optional<Scene> scene_kept(const std::string& name, bool& damaged) {
 }
 
 int answer_with_scene(const std::string& name, readers::ReadOptions& options, const std::string& kept_name) {
-    ReaderAnswer told;
+    ReaderAnswer reported;
     if (!kept_name.empty())
-        if (const std::optional<Scene> kept = scene_kept(kept_name, told.kept_damaged)) {
-            told.read = told.kept = true;
-            return answer(told, stored::stored(*kept));
+        if (const std::optional<Scene> kept = scene_kept(kept_name, reported.kept_damaged)) {
+            reported.read = reported.kept = true;
+            return answer(reported, stored::stored(*kept));
         }
-    options.read_beside = [&](const std::string& other) {
-        Result<std::string> bytes = read_requested_beside(other);
-        told.beside.push_back({other, bytes ? cache::sha256_of(*bytes) : std::string()});
+    options.read_next_to = [&](const std::string& other) {
+        Result<std::string> bytes = read_requested_next_to(other);
+        reported.beside.push_back({other, bytes ? cache::sha256_of(*bytes) : std::string()});
         return bytes;
     };
     const Result<Scene> scene = read_requested(name, options);
-    told.read = scene.has_value();
-    if (!scene) told.error = scene.error();
-    return answer(told, scene ? stored::stored(*scene) : std::string());
+    reported.read = scene.has_value();
+    if (!scene) reported.error = scene.error();
+    return answer(reported, scene ? stored::stored(*scene) : std::string());
 }
 
-int answer_with_ways(const std::string& kept_name) {
-    ReaderAnswer told;
-    const std::string ways = stored::unpacked_ways(cache::kept_content(kKeptFd, kept_name).value_or(""));
-    told.read = told.kept = !ways.empty();
-    return answer(told, ways);
+int answer_with_navigation(const std::string& kept_name) {
+    ReaderAnswer reported;
+    const std::string ways = stored::unpacked_navigation(cache::kept_content(kKeptFd, kept_name).value_or(""));
+    reported.read = reported.kept = !ways.empty();
+    return answer(reported, ways);
 }
 
 int answer_with_toml() {
@@ -140,9 +140,9 @@ int answer_with_toml() {
     else found.fault = values.error();
     stored::Packer pack;
     pack(found);
-    ReaderAnswer told;
-    told.read = true;
-    return answer(told, pack.take());
+    ReaderAnswer reported;
+    reported.read = true;
+    return answer(reported, pack.take());
 }
 
 }  // namespace
@@ -185,15 +185,15 @@ int reader_process(int argc, char** argv) {
     options.building = argv[10];
     // Send progress as lines through the pipe, but only when the percentage has changed. So the number of lines stays
     // small, however often the reader calls this function.
-    int told = -1;
+    int reported = -1;
     options.progress = [&](double fraction) {
         const int percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));
-        if (percent != std::exchange(told, percent)) write_all(kTellFd, fmt::format("p{}\n", percent));
+        if (percent != std::exchange(reported, percent)) write_all(kProgressFd, fmt::format("p{}\n", percent));
     };
-    options.stage = [](std::string_view stage) { write_all(kTellFd, fmt::format("s{}\n", stage)); };
+    options.stage = [](std::string_view stage) { write_all(kProgressFd, fmt::format("s{}\n", stage)); };
     try {
         if (reads_toml) return answer_with_toml();
-        return name.empty() ? answer_with_ways(argv[11]) : answer_with_scene(name, options, argv[11]);
+        return name.empty() ? answer_with_navigation(argv[11]) : answer_with_scene(name, options, argv[11]);
     } catch (const std::bad_alloc&) {
         return kNoMemory;
     }

@@ -70,7 +70,7 @@ private:
 
 // Passes a line of progress to `options`. "p57" means 57 percent, and "stext.key" contains the key of the current
 // stage.
-void tell(const readers::ReadOptions& options, std::string_view line) {
+void report_progress(const readers::ReadOptions& options, std::string_view line) {
     if (line.starts_with('p') && options.progress) {
         int percent = 0;
         std::from_chars(line.data() + 1, line.data() + line.size(), percent);
@@ -209,8 +209,8 @@ Result<ReadApart> read_apart(const fs::path& path, const readers::ReadOptions& o
     const double before_s = children_cpu_s();
     pid_t process = -1;
     {
-        const Descriptor told = std::move(theirs), requested(ends[1]);
-        std::vector<int> passed{answer.get(), told.get(), requested.get()};
+        const Descriptor progress = std::move(theirs), requested(ends[1]);
+        std::vector<int> passed{answer.get(), progress.get(), requested.get()};
         if (kept.file >= 0) passed.push_back(kept.file);
         const Result<pid_t> started =
             start(program,
@@ -229,7 +229,7 @@ Result<ReadApart> read_apart(const fs::path& path, const readers::ReadOptions& o
     double worked_s = 0.0, idle_since_s = clock.now_s();
     std::string line;
     // True if the process may request files. Unpacking routes and parsing TOML need no world, so `path` is empty.
-    bool asks = !path.empty();
+    bool may_request = !path.empty();
     for (bool open = true; open;) {
         if (options.stop.stop_requested()) return fail(phrase("files.stopped"), name);
         if (const double now_worked_s = processor_s(process); now_worked_s > worked_s) {
@@ -238,9 +238,9 @@ Result<ReadApart> read_apart(const fs::path& path, const readers::ReadOptions& o
         } else if (clock.now_s() - idle_since_s > limits.idle_s) {
             return fail(phrase("import.too_long", {{"seconds", limits.idle_s}}), name);
         }
-        std::array<pollfd, 2> wait{pollfd{ours.get(), POLLIN, 0}, pollfd{asks ? files.get() : -1, POLLIN, 0}};
+        std::array<pollfd, 2> wait{pollfd{ours.get(), POLLIN, 0}, pollfd{may_request ? files.get() : -1, POLLIN, 0}};
         if (::poll(wait.data(), wait.size(), kLookEvery_ms) <= 0) continue;
-        if (wait[1].revents != 0) asks = answer_request(files.get(), path);
+        if (wait[1].revents != 0) may_request = answer_request(files.get(), path);
         if (wait[0].revents == 0) continue;
         std::array<char, 4096> bytes;
         const ssize_t got = ::read(ours.get(), bytes.data(), bytes.size());
@@ -248,7 +248,7 @@ Result<ReadApart> read_apart(const fs::path& path, const readers::ReadOptions& o
         open = got > 0;
         for (ssize_t i = 0; i < got; ++i) {
             if (bytes[static_cast<std::size_t>(i)] != '\n') line += bytes[static_cast<std::size_t>(i)];
-            else tell(options, std::exchange(line, {}));
+            else report_progress(options, std::exchange(line, {}));
         }
     }
     const int status = reading.wait();
@@ -257,8 +257,8 @@ Result<ReadApart> read_apart(const fs::path& path, const readers::ReadOptions& o
     return read_answer(answer.get(), limits.answer_bytes);
 }
 
-std::string unpack_ways_apart(const KeptForReader& kept, const fs::path& program, const std::stop_token& stop,
-                              const ReaderLimits& limits) {
+std::string unpack_navigation_apart(const KeptForReader& kept, const fs::path& program, const std::stop_token& stop,
+                                    const ReaderLimits& limits) {
     readers::ReadOptions options;
     options.stop = stop;
     // Pass an empty path, because the process unpacks the routes from the cached file in `kept`.

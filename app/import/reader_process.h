@@ -48,7 +48,7 @@ struct KeptForReader {
 // Returns the path of handrail-reader, next to this program or installed; empty if it does not exist.
 std::filesystem::path find_reader_program();
 
-// Reads a world as read_world does, but never calls options.read_beside, because this program itself opens the files
+// Reads a world as read_world does, but never calls options.read_next_to, because this program itself opens the files
 // next to the world. Waits for the process, and ends it within a tenth of a second after `options.stop`. Fails with a
 // different sentence for each way in which the process can fail. The calling thread must not end during the call,
 // because the kernel ends the process with that thread. If `kept` is given, the process unpacks the scene from the
@@ -57,10 +57,10 @@ Result<ReadApart> read_apart(const std::filesystem::path& path, const readers::R
                              const std::filesystem::path& program, const ReaderLimits& limits = {},
                              const KeptForReader& kept = {});
 
-// Unpacks cached routes in a handrail-reader process (see unpacked_ways). Returns an empty text if the routes are
+// Unpacks cached routes in a handrail-reader process (see unpacked_navigation). Returns an empty text if the routes are
 // damaged or the process fails.
-std::string unpack_ways_apart(const KeptForReader& kept, const std::filesystem::path& program,
-                              const std::stop_token& stop = {}, const ReaderLimits& limits = {});
+std::string unpack_navigation_apart(const KeptForReader& kept, const std::filesystem::path& program,
+                                    const std::stop_token& stop = {}, const ReaderLimits& limits = {});
 
 // Implements the main function of handrail-reader. Returns the exit status.
 int reader_process(int argc, char** argv);

@@ -13,8 +13,8 @@ namespace handrail::importing {
 namespace {
 
 constexpr std::size_t kLongestRequest_bytes = 4096, kLongestAnswer_bytes = 16'384;
-// First byte of a request: kWorld requests the world itself, kBeside a file next to the world, whose name follows.
-constexpr char kWorld = 'w', kBeside = 'b';
+// First byte of a request: kWorld requests the world itself, kNextTo a file next to the world, whose name follows.
+constexpr char kWorld = 'w', kNextTo = 'b';
 
 // The answer to a request. If `opened` is true, the descriptor of the file is sent with the answer.
 struct FileAnswer {
@@ -91,14 +91,14 @@ Result<OpenFile> request(int socket, const std::string& message) {
 
 Result<OpenFile> requested(std::string_view message, const std::filesystem::path& world) {
     if (message.front() == kWorld) return open_file(world);
-    return readers::open_file_beside(world, std::string(message.substr(1)));
+    return readers::open_file_next_to(world, std::string(message.substr(1)));
 }
 
 }  // namespace
 
 Result<OpenFile> request_world(int socket) { return request(socket, {kWorld}); }
 
-Result<OpenFile> request_beside(int socket, const std::string& name) { return request(socket, kBeside + name); }
+Result<OpenFile> request_next_to(int socket, const std::string& name) { return request(socket, kNextTo + name); }
 
 bool answer_request(int socket, const std::filesystem::path& world) {
     std::array<char, kLongestRequest_bytes> message;

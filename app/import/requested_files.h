@@ -13,7 +13,7 @@ namespace handrail::importing {
 // handrail-reader calls these two functions. They wait for the program's answer. `name` is relative to the world's
 // file.
 Result<OpenFile> request_world(int socket);
-Result<OpenFile> request_beside(int socket, const std::string& name);
+Result<OpenFile> request_next_to(int socket, const std::string& name);
 
 // The program calls this function to answer one waiting request. Returns false if no more requests will come.
 bool answer_request(int socket, const std::filesystem::path& world);

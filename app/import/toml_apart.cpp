@@ -25,15 +25,15 @@ constexpr std::size_t kAnswerPerText = 16, kShortestAnswer_bytes = 4096;
 
 bool is_sound(const settings::TomlMoment& moment) {
     using std::chrono::day, std::chrono::month, std::chrono::year;
-    settings::TomlMoment told;  // a copy in which the fields that the moment does not state are 0, as they must be
-    if (moment.has_date) told.year = moment.year, told.month = moment.month, told.day = moment.day;
+    settings::TomlMoment stated;  // a copy in which the fields that the moment does not state are 0, as they must be
+    if (moment.has_date) stated.year = moment.year, stated.month = moment.month, stated.day = moment.day;
     if (moment.has_time) {
-        told.hour = moment.hour, told.minute = moment.minute, told.second = moment.second;
-        told.nanosecond = moment.nanosecond;
+        stated.hour = moment.hour, stated.minute = moment.minute, stated.second = moment.second;
+        stated.nanosecond = moment.nanosecond;
     }
-    if (moment.has_offset) told.offset_minutes = moment.offset_minutes;
-    told.has_date = moment.has_date, told.has_time = moment.has_time, told.has_offset = moment.has_offset;
-    if (moment != told) return false;
+    if (moment.has_offset) stated.offset_minutes = moment.offset_minutes;
+    stated.has_date = moment.has_date, stated.has_time = moment.has_time, stated.has_offset = moment.has_offset;
+    if (moment != stated) return false;
     const bool is_day = (year(moment.year) / month(moment.month) / day(moment.day)).ok() && moment.year <= 9999;
     return (moment.has_date || moment.has_time) && (!moment.has_date || is_day) &&
            (!moment.has_offset || (moment.has_date && moment.has_time)) && moment.hour <= 23 && moment.minute <= 59 &&

@@ -37,7 +37,7 @@ Json json_of(const Scene& scene, const std::vector<check::WorldFault>& faults, c
             {"faults", std::move(list)}};
 }
 
-void tell(const Scene& scene, const std::vector<check::WorldFault>& faults, std::ostream& out) {
+void print_faults(const Scene& scene, const std::vector<check::WorldFault>& faults, std::ostream& out) {
     out << phrase("check.summary", {{"world", spoken_name(scene)},
                                     {"file", scene.source_file},
                                     {"count", faults.size()},
@@ -73,8 +73,8 @@ int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& 
     }
     const auto scene = std::make_shared<const Scene>(std::move(*read));
     progress.at(phrase("progress.rooms"));
-    const core::WalkerSize size = core::body_size(*scene, settings::Settings{}.walk.body_radius_m);
-    core::RoomsOfWorld rooms(scene, navigation::walk_body(*scene, size.radius_m, size.height_m, size.step_up_m),
+    const core::WalkerSize size = core::walker_size(*scene, settings::Settings{}.walk.body_radius_m);
+    core::RoomsOfWorld rooms(scene, navigation::walker_measures(*scene, size.radius_m, size.height_m, size.step_up_m),
                              at_once());
     const bool found = rooms.ready() && rooms.found();
     progress.at(phrase("progress.faults"));
@@ -84,7 +84,7 @@ int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& 
     progress.done();
     if (arguments.json)
         out << json_of(*scene, faults, rooms.graph()).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-    else tell(*scene, faults, out);
+    else print_faults(*scene, faults, out);
     return std::any_of(faults.begin(), faults.end(), check::blocks) ? 1 : 0;
 }
 

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/dialogue/command.h"
 #include "app/core/kept/side_file.h"
 #include "app/core/kept/spoken_language.h"
@@ -331,14 +331,14 @@ int refused(std::ostream& err, const Error& error) { return err << error.sentenc
 // Runs one session. If it ends because another learner was chosen, runs a session for that learner, and so on.
 int explore(ExploreCall call, FirstLanguage first, std::ostream& err, const LongWork& progress) {
     for (;; first = speak_first()) {
-        const ExploreCall asked = call;
+        const ExploreCall requested = call;
         if (const auto begun = begin_as_learner(call); !begun) return refused(err, begun.error());
         std::vector<Diagnostic>& problems = call.arguments.settings_problems;
         std::optional<settings::SettingsStore> settings = load_settings(call.settings, std::move(first), problems, err);
         if (!settings) return 2;
         ExploreEnd end = run_explore(call.arguments, *settings, err, progress);
         if (!end.learner) return end.status;
-        call = as_somebody_else(asked, std::move(end));
+        call = as_somebody_else(requested, std::move(end));
     }
 }
 
@@ -416,7 +416,7 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& to_out
             [&](const InfoArguments& arguments) { return run_info(arguments, out, err, progress); },
             [&](const CheckArguments& arguments) { return run_check(arguments, out, err, progress); },
             [&](LessonCall& call) {
-                const ExploreCall asked = call.explore;
+                const ExploreCall requested = call.explore;
                 if (const auto begun = begin_as_learner(call); !begun) return refused(err, begun.error());
                 ExploreEnd end;
                 const int status = with_settings(call.explore.settings, [&](settings::SettingsStore& settings) {
@@ -426,7 +426,7 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& to_out
                     return done.value_or(end.status);
                 });
                 if (!end.learner) return status;
-                return explore(as_somebody_else(asked, std::move(end)), speak_first(), err, progress);
+                return explore(as_somebody_else(requested, std::move(end)), speak_first(), err, progress);
             },
             [&](const ReportArguments& arguments) { return run_report(arguments, out, err, progress); },
             [&](const LearnerArguments& arguments) { return run_learner(arguments, std::cin, out, err, progress); },

@@ -19,7 +19,7 @@ public:
     EndSignals& operator=(const EndSignals&) = delete;
 
     // Returns true if one of the signals has arrived.
-    bool asked() const;
+    bool requested() const;
 
     EndInTime in_time;  // limits how long ending takes, whether a signal or the person requested the end
 

@@ -78,14 +78,14 @@ public:
 
     // Runs the session. Problems that prevent the start are also written to `err`.
     ExploreEnd run(std::ostream& err, const LongWork& progress) {
-        const double asked_s = begin();
+        const double requested_s = begin();
         if (arguments_.calibrate) {
             set_up_.begin(*arguments_.calibrate);
             calibrate();
             finish(err, 0, progress);
             return {};
         }
-        hand_.begin(asked_s);
+        hand_.begin(requested_s);
         if (settings_.values().pads.use) companions_.emplace(clock_);
         left_.look_for(arguments_.left_device.value_or(settings_.values().haptic.left_device));
         const int status = load_world(err) ? explore(err) : ended() ? 0 : 1;
@@ -118,14 +118,14 @@ private:
         worlds_.begin_notes(clock_.now_s());
         const bool first = !settings_.values().welcome.done && !arguments_.world && !arguments_.calibrate;
         const std::string voice = first ? ears_.voice_that_speaks() : std::string{};
-        const double asked_s = clock_.now_s();
+        const double requested_s = clock_.now_s();
         if (first)
             // The set-up is part of the first minutes only if there is a sound device.
-            app_.apply(core::FirstMinutesBegun{voice, ears_.has_sound()}, asked_s);
+            app_.apply(core::FirstMinutesBegun{voice, ears_.has_sound()}, requested_s);
         news_.push_back(worlds_.take_news());
-        news_.push_back(worlds_.crash_words(!speaks_to_typist(), asked_s));
-        say_(first ? joined(news_) : phrase("program.welcome", {{"news", joined(news_)}}), asked_s);
-        return asked_s;
+        news_.push_back(worlds_.crash_words(!speaks_to_typist(), requested_s));
+        say_(first ? joined(news_) : phrase("program.welcome", {{"news", joined(news_)}}), requested_s);
+        return requested_s;
     }
 
     void open_window() {
@@ -162,7 +162,7 @@ private:
             if (!hand_.look(err)) return false;
             kept_.keep_saved(clock_.now_s());
             worlds_.keep_notes(clock_.now_s());
-            loading.tell(clock_.now_s(), [this](const std::string& words) { say_(words); });
+            loading.report(clock_.now_s(), [this](const std::string& words) { say_(words); });
             hand_over();  // passes the replies to keys and lines to the ears
             draw_words();
         }
@@ -175,7 +175,7 @@ private:
         if (ended()) return false;
         // The announcement of the world is part of the greeting's reply, so it waits for the greeting instead of
         // interrupting it.
-        worlds_.enter(std::move(*world), hand_.asked_s());
+        worlds_.enter(std::move(*world), hand_.requested_s());
         return true;
     }
 
@@ -190,10 +190,10 @@ private:
                 for (std::string& sentence : companions_->guide(app_, now_s, set_up_.under_way()))
                     say_(std::move(sentence));
             hand_.read();
-            hand_.tell_how_it_runs();
+            hand_.report_scheduling();
             notice_left_hand(now_s);
             hand_.watch_sleep(left_.real() ? &left_.tool() : nullptr);
-            set_up_.begin_if_asked();
+            set_up_.begin_if_requested();
             recording_.set_up(set_up_.under_way());
             if (auto ended = recording_.take_problem()) say_(std::move(*ended));
             // Before another world brings settings, which would override the person's changes.
@@ -237,7 +237,7 @@ private:
     // ---- parts of the three loops ----
 
     bool ended() const {
-        return signals_.asked() || (window_ && window_->closed()) || (keys_ && keys_->closed()) ||
+        return signals_.requested() || (window_ && window_->closed()) || (keys_ && keys_->closed()) ||
                (lines_ && lines_->closed());
     }
 
@@ -329,7 +329,7 @@ private:
         if (!arguments_.calibrate) app_.keep_learnt(servo::in_whole_microseconds(clock_.now_s()));
         hand_over();
         kept_.save_at_the_end(err);
-        ears_.sound().stop(signals_.asked() ? 0.0 : kLastWords_s);
+        ears_.sound().stop(signals_.requested() ? 0.0 : kLastWords_s);
         progress.at(phrase("progress.recording_end"));
         recording_.end();
         progress.done();
@@ -350,8 +350,8 @@ private:
     Ears ears_;
     core::Session app_;
     core::SessionDriver driver_{app_, ears_.sound(), steps()};
-    const SessionVoice say_{clock_, [this](std::string text, double asked_s) {
-                                app_.apply(core::Told{std::move(text), cues::SpeechClass::Answer}, asked_s);
+    const SessionVoice say_{clock_, [this](std::string text, double requested_s) {
+                                app_.apply(core::Announcement{std::move(text), cues::SpeechClass::Answer}, requested_s);
                                 hand_over();
                             }};
     KeptSettings kept_{settings_, clock_, say_};

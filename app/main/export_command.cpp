@@ -5,7 +5,7 @@
 #include "app/core/kept/side_file.h"
 #include "app/core/whereabouts/rooms_of_world.h"
 #include "app/core/world/walker.h"
-#include "app/learners/way_out.h"
+#include "app/learners/export_gate.h"
 #include "app/main/commands.h"
 #include "app/main/route_cards.h"
 #include "app/main/world_files.h"
@@ -38,9 +38,9 @@ fs::path beside(const fs::path& path, const std::string& what) {
     return path.parent_path() / (path.stem().string() + "-" + what + path.extension().string());
 }
 
-Result<exports::SheetWish> wishes_of(const ExportArguments& arguments) {
-    exports::SheetWish wishes;
-    wishes.coarse = arguments.coarse;
+Result<exports::SheetOptions> options_of(const ExportArguments& arguments) {
+    exports::SheetOptions options;
+    options.coarse = arguments.coarse;
     if (!arguments.swell && !arguments.stl && !arguments.route_card) return fail(phrase("export.nothing_asked"));
     if (const std::string ending = arguments.swell ? ending_of(*arguments.swell) : ".svg";
         ending != ".svg" && ending != ".pdf")
@@ -51,14 +51,14 @@ Result<exports::SheetWish> wishes_of(const ExportArguments& arguments) {
     if ((arguments.from || arguments.to) && !arguments.route_card) return fail(phrase("export.card_needed"));
     const std::string paper = lower_ascii(arguments.paper);
     if (paper != "a4" && paper != "a3") return fail(phrase("export.paper", {{"word", arguments.paper}}));
-    wishes.paper = paper == "a3" ? exports::kA3 : exports::kA4;
-    wishes.table = exports::braille_table_of(spoken_language());
+    options.paper = paper == "a3" ? exports::kA3 : exports::kA4;
+    options.table = exports::braille_table_of(spoken_language());
     if (!arguments.braille.empty()) {
         const auto named = exports::braille_table_named(lower_ascii(arguments.braille));
         if (!named) return fail(phrase("export.braille", {{"word", arguments.braille}}));
-        wishes.table = *named;
+        options.table = *named;
     }
-    return wishes;
+    return options;
 }
 
 // The plan of a storey. If the storey has floors above each other, also the second plan, which shows the upper floors.
@@ -69,7 +69,7 @@ struct StoreyPlans {
 
 // Makes several sheets. Returns only the sheets that show the middle of the room with that name.
 Result<std::vector<exports::SwellSheet>> sheets_around(const std::string& name, const StoreyPlans& plans,
-                                                       const exports::SheetWish& wish) {
+                                                       const exports::SheetOptions& options) {
     std::vector<std::string> names;
     for (const plan::Storey* storey : {&plans.storey, plans.upper ? &*plans.upper : nullptr}) {
         if (!storey) continue;
@@ -77,9 +77,9 @@ Result<std::vector<exports::SwellSheet>> sheets_around(const std::string& name, 
             if (room.elsewhere) continue;
             names.push_back(room.name);
             if (lower_ascii(room.name) != lower_ascii(name)) continue;
-            exports::SheetWish wished = wish;
-            if (storey->upper) wished.plate_signs.clear();
-            Result<std::vector<exports::SwellSheet>> sheets = exports::swell_sheets(*storey, wished);
+            exports::SheetOptions without_signs = options;
+            if (storey->upper) without_signs.plate_signs.clear();
+            Result<std::vector<exports::SwellSheet>> sheets = exports::swell_sheets(*storey, without_signs);
             if (!sheets) return sheets;
             const Vec2& at = room.middle_m;
             std::erase_if(*sheets, [&](const exports::SwellSheet& sheet) {
@@ -93,17 +93,17 @@ Result<std::vector<exports::SwellSheet>> sheets_around(const std::string& name, 
 }
 
 // Returns one sheet, or several if the person requested them.
-Result<std::vector<exports::SwellSheet>> sheets_of(const StoreyPlans& plans, const exports::SheetWish& wish,
+Result<std::vector<exports::SwellSheet>> sheets_of(const StoreyPlans& plans, const exports::SheetOptions& options,
                                                    const ExportArguments& arguments) {
-    if (arguments.around) return sheets_around(*arguments.around, plans, wish);
+    if (arguments.around) return sheets_around(*arguments.around, plans, options);
     if (!arguments.sheets) {
-        Result<exports::SwellSheet> one = exports::swell_sheet(plans.storey, wish);
+        Result<exports::SwellSheet> one = exports::swell_sheet(plans.storey, options);
         if (!one) return tl::unexpected(one.error());
         return std::vector<exports::SwellSheet>{std::move(*one)};
     }
-    Result<std::vector<exports::SwellSheet>> sheets = exports::swell_sheets(plans.storey, wish);
+    Result<std::vector<exports::SwellSheet>> sheets = exports::swell_sheets(plans.storey, options);
     if (!sheets || !plans.upper) return sheets;
-    exports::SheetWish without_plate = wish;
+    exports::SheetOptions without_plate = options;
     // The printed plate shows only the lower floors, so this sheet is no key to the plate.
     without_plate.plate_signs.clear();
     Result<std::vector<exports::SwellSheet>> more = exports::swell_sheets(*plans.upper, without_plate);
@@ -117,34 +117,34 @@ bool hides_rooms(const StoreyPlans& plans, const ExportArguments& arguments) {
     return plans.upper && !arguments.sheets && !arguments.around;
 }
 
-bool keep_promises(const StoreyPlans& plans, const exports::SheetWish& wish, const ExportArguments& arguments) {
+bool keep_promises(const StoreyPlans& plans, const exports::SheetOptions& options, const ExportArguments& arguments) {
     if (hides_rooms(plans, arguments)) return false;
-    const Result<std::vector<exports::SwellSheet>> sheets = sheets_of(plans, wish, arguments);
+    const Result<std::vector<exports::SwellSheet>> sheets = sheets_of(plans, options, arguments);
     return sheets && std::all_of(sheets->begin(), sheets->end(),
                                  [](const exports::SwellSheet& sheet) { return sheet.broken.empty(); });
 }
 
 // Returns sentences that suggest what to change if sheets do not keep their promises. Suggests larger paper and a
 // coarser plan only if a trial shows that these help.
-std::vector<std::string> helps(const StoreyPlans& plans, const exports::SheetWish& wish,
+std::vector<std::string> helps(const StoreyPlans& plans, const exports::SheetOptions& options,
                                const ExportArguments& arguments) {
     std::vector<std::string> said;
-    if (!arguments.sheets && wish.paper.long_mm < exports::kA3.long_mm) {
-        exports::SheetWish larger = wish;
+    if (!arguments.sheets && options.paper.long_mm < exports::kA3.long_mm) {
+        exports::SheetOptions larger = options;
         larger.paper = exports::kA3;
         if (keep_promises(plans, larger, arguments)) said.push_back(phrase("export.help_a3"));
     }
     if (!arguments.sheets && !arguments.around) said.push_back(phrase("export.help_sheets"));
     if (!arguments.around) said.push_back(phrase("export.help_around"));
-    if (!wish.coarse) {
-        exports::SheetWish coarse = wish;
+    if (!options.coarse) {
+        exports::SheetOptions coarse = options;
         coarse.coarse = true;
         if (keep_promises(plans, coarse, arguments)) said.push_back(phrase("export.help_coarse"));
     }
     return said;
 }
 
-struct ToldOfSheets {
+struct SheetsReport {
     std::vector<std::string> simplified;
     bool broken = false;
 };
@@ -163,23 +163,23 @@ void add_svg(const fs::path& path, const std::string& which, const exports::Swel
         add(beside(path, (which.empty() ? "" : which + "-") + "key-" + std::to_string(i + 1)), sheet.key[i]);
 }
 
-Result<ToldOfSheets> add_swell(const fs::path& path, const StoreyPlans& plans, const exports::SheetWish& wish,
+Result<SheetsReport> add_swell(const fs::path& path, const StoreyPlans& plans, const exports::SheetOptions& options,
                                const ExportArguments& arguments, std::vector<MadeFile>& files) {
-    const Result<std::vector<exports::SwellSheet>> sheets = sheets_of(plans, wish, arguments);
+    const Result<std::vector<exports::SwellSheet>> sheets = sheets_of(plans, options, arguments);
     if (!sheets) {
         Error error = sheets.error();
         if (!arguments.sheets && !arguments.around)
-            for (const std::string& help : helps(plans, wish, arguments)) error.message += "\n" + help;
+            for (const std::string& help : helps(plans, options, arguments)) error.message += "\n" + help;
         return tl::unexpected(std::move(error));
     }
     std::vector<exports::SheetPage> pages;
     if (arguments.strip) {
-        Result<exports::SheetPage> made = exports::calibration_strip(wish.paper, wish.table);
+        Result<exports::SheetPage> made = exports::calibration_strip(options.paper, options.table);
         if (!made) return tl::unexpected(made.error());
         pages.push_back(std::move(*made));
     }
     const bool pdf = ending_of(path) == ".pdf";
-    ToldOfSheets told;
+    SheetsReport sheets_report;
     std::string all;
     for (const exports::SwellSheet& sheet : *sheets) {
         const bool first = &sheet == &sheets->front();
@@ -197,9 +197,10 @@ Result<ToldOfSheets> add_swell(const fs::path& path, const StoreyPlans& plans, c
         } else add_svg(path, which, sheet, said, files);
         for (const std::vector<std::string>* sentences : {&sheet.broken, &sheet.simplified})
             for (const std::string& sentence : *sentences)
-                if (std::find(told.simplified.begin(), told.simplified.end(), sentence) == told.simplified.end())
-                    told.simplified.push_back(sentence);
-        told.broken = told.broken || !sheet.broken.empty();
+                if (std::find(sheets_report.simplified.begin(), sheets_report.simplified.end(), sentence) ==
+                    sheets_report.simplified.end())
+                    sheets_report.simplified.push_back(sentence);
+        sheets_report.broken = sheets_report.broken || !sheet.broken.empty();
     }
     if (pdf) files.push_back({path, exports::pdf_of(pages, spoken_language()), all});
     else if (arguments.strip)
@@ -208,17 +209,17 @@ Result<ToldOfSheets> add_swell(const fs::path& path, const StoreyPlans& plans, c
              phrase("export.wrote", {{"file", beside(path, "strip").string()}, {"title", pages.front().title}}),
              false});
     if (hides_rooms(plans, arguments)) {
-        told.simplified.push_back(phrase("export.hidden", {{"names", exports::hidden_names(plans.storey)}}));
-        told.broken = true;
+        sheets_report.simplified.push_back(phrase("export.hidden", {{"names", exports::hidden_names(plans.storey)}}));
+        sheets_report.broken = true;
     }
-    told.simplified.push_back(phrase("export.print_as_is"));
-    if (told.broken) {
-        told.simplified.push_back(phrase("export.promise_broken"));
-        const std::vector<std::string> what = helps(plans, wish, arguments);
-        if (!what.empty()) told.simplified.push_back(phrase("export.helps"));
-        told.simplified.insert(told.simplified.end(), what.begin(), what.end());
+    sheets_report.simplified.push_back(phrase("export.print_as_is"));
+    if (sheets_report.broken) {
+        sheets_report.simplified.push_back(phrase("export.promise_broken"));
+        const std::vector<std::string> what = helps(plans, options, arguments);
+        if (!what.empty()) sheets_report.simplified.push_back(phrase("export.helps"));
+        sheets_report.simplified.insert(sheets_report.simplified.end(), what.begin(), what.end());
     }
-    return told;
+    return sheets_report;
 }
 
 void add_stl(const fs::path& path, const plan::Storey& storey, const exports::StoreyPlate& plate,
@@ -246,7 +247,7 @@ Result<void> add_card(const fs::path& path, const std::vector<exports::CardRoute
 }
 
 // Writes all files. Writes none of them if one exists already and must not be replaced.
-Result<void> write_all(const learners::WayOut& way_out, const std::vector<MadeFile>& files, bool force,
+Result<void> write_all(const learners::ExportGate& export_gate, const std::vector<MadeFile>& files, bool force,
                        std::ostream& out) {
     std::error_code ec;
     if (!force)
@@ -255,7 +256,7 @@ Result<void> write_all(const learners::WayOut& way_out, const std::vector<MadeFi
                 return fail(phrase("export.exists", {{"file", file.path.string()}}));
     for (const MadeFile& file : files) {
         const auto how = file.named ? write_named_file_atomically : write_file_atomically;
-        if (Result<void> written = way_out.write(file.path, file.content, how); !written) return written;
+        if (Result<void> written = export_gate.write(file.path, file.content, how); !written) return written;
         out << file.said << '\n';
     }
     return {};
@@ -269,20 +270,21 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
         err << error.sentence() << '\n';
         return status;
     };
-    Result<exports::SheetWish> wishes = wishes_of(arguments);
-    if (!wishes) return failed(wishes.error(), 2);
+    Result<exports::SheetOptions> options = options_of(arguments);
+    if (!options) return failed(options.error(), 2);
     const Result<fs::path> given = world_given(arguments.world);
     if (!given) return failed(given.error(), 1);
     const fs::path& world = *given;
-    const Result<learners::WayOut> way_out = learners::WayOut::of(learners::Learners(core::user_data_folder()), world);
-    if (!way_out) return failed(way_out.error(), 1);
+    const Result<learners::ExportGate> export_gate =
+        learners::ExportGate::of(learners::Learners(core::user_data_folder()), world);
+    if (!export_gate) return failed(export_gate.error(), 1);
     Result<Scene> read = mended_and_valid(imported(world, progress.followed(arguments.common.read_options(world))),
                                           world, arguments.common);
     if (!read) return failed(read.error(), 1);
     const auto scene = std::make_shared<const Scene>(std::move(*read));
     progress.at(phrase("progress.rooms"));
-    const core::WalkerSize size = core::body_size(*scene, settings::Settings{}.walk.body_radius_m);
-    core::RoomsOfWorld rooms(scene, navigation::walk_body(*scene, size.radius_m, size.height_m, size.step_up_m),
+    const core::WalkerSize size = core::walker_size(*scene, settings::Settings{}.walk.body_radius_m);
+    core::RoomsOfWorld rooms(scene, navigation::walker_measures(*scene, size.radius_m, size.height_m, size.step_up_m),
                              at_once());
     if (!rooms.ready() || !rooms.found())
         return failed({world.string(), 0, 0, rooms.problem().empty() ? phrase("export.no_rooms") : rooms.problem()}, 1);
@@ -296,32 +298,32 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
     bool broken = false;
     std::optional<exports::StoreyPlate> plate;
     if (arguments.stl) {
-        Result<exports::StoreyPlate> made = exports::storey_plate(*storey, wishes->table);
+        Result<exports::StoreyPlate> made = exports::storey_plate(*storey, options->table);
         if (!made) return failed(made.error(), 1);
         for (const exports::RoomSign& sign : made->signs)
-            wishes->plate_signs.push_back(sign.on_sheet ? sign.sign : std::string());
+            options->plate_signs.push_back(sign.on_sheet ? sign.sign : std::string());
         plate = std::move(*made);
     }
     if (arguments.swell) {
         const StoreyPlans plans{*storey, plan::upper_part_of(*scene, rooms.graph(), space, *storey)};
-        Result<ToldOfSheets> told = add_swell(*arguments.swell, plans, *wishes, arguments, files);
-        if (!told) return failed(told.error(), 1);
-        simplified = std::move(told->simplified);
-        broken = told->broken;
+        Result<SheetsReport> sheets_report = add_swell(*arguments.swell, plans, *options, arguments, files);
+        if (!sheets_report) return failed(sheets_report.error(), 1);
+        simplified = std::move(sheets_report->simplified);
+        broken = sheets_report->broken;
     }
     if (plate) add_stl(*arguments.stl, *storey, *plate, files, simplified);
     if (arguments.route_card) {
         progress.at(phrase("progress.ways"));
-        const Result<CardRoutes> ways = card_ways(scene, rooms.graph(), rooms.navigation(), *storey,
-                                                  {arguments.from, arguments.to, arguments.settings});
+        const Result<CardRoutes> ways = card_routes(scene, rooms.graph(), rooms.navigation(), *storey,
+                                                    {arguments.from, arguments.to, arguments.settings});
         if (!ways) return failed(ways.error(), 1);
-        if (const Result<void> made = add_card(*arguments.route_card, ways->ways, wishes->table, files); !made)
+        if (const Result<void> made = add_card(*arguments.route_card, ways->ways, options->table, files); !made)
             return failed(made.error(), 1);
         if (!ways->unreached.empty())
             simplified.push_back(phrase("export.unreached", {{"names", exports::names_list(ways->unreached)}}));
     }
     progress.done();
-    if (const Result<void> written = write_all(*way_out, files, arguments.force, out); !written)
+    if (const Result<void> written = write_all(*export_gate, files, arguments.force, out); !written)
         return failed(written.error(), 1);
     for (const std::string& sentence : simplified) out << sentence << '\n';
     return broken ? 1 : 0;

@@ -86,7 +86,7 @@ HandSearch::~HandSearch() {
     if (opening_) opening_->give_up();
 }
 
-void HandSearch::tell(std::string sentence) {
+void HandSearch::report(std::string sentence) {
     const std::lock_guard guard(mutex_);
     if (!sentence.empty()) news_.push_back(std::move(sentence));
 }
@@ -100,12 +100,12 @@ Result<HandSearch::Found> HandSearch::search(const std::string& wanted) {
     std::vector<drivers::PluggedHand> plugged = drivers::plugged_hands();
     std::vector<std::string> news;
     auto hand = choose_hand(wanted, news);
-    for (std::string& sentence : news) tell(std::move(sentence));
+    for (std::string& sentence : news) report(std::move(sentence));
     if (!hand) return tl::unexpected(hand.error());
     if (!*hand) return Found{{}, nullptr, std::move(plugged)};
     auto device = std::make_unique<drivers::GuardedDevice>((*hand)->facts.spec, drivers::find_guard_program(),
                                                            (*hand)->guard_arguments);
-    device->tell_while_opening([this](const std::string& sentence) { tell(sentence); });
+    device->report_while_opening([this](const std::string& sentence) { report(sentence); });
     {
         const std::lock_guard guard(mutex_);
         if (given_up_) return Found{};
@@ -116,10 +116,10 @@ Result<HandSearch::Found> HandSearch::search(const std::string& wanted) {
         const std::lock_guard guard(mutex_);
         opening_ = nullptr;
     }
-    device->tell_while_opening(nullptr);
+    device->report_while_opening(nullptr);
     device->take_news();  // discards the device's sentences, which were all announced while it was opening
     if (!opened) {
-        tell(opened.error().sentence());
+        report(opened.error().sentence());
         return Found{{}, nullptr, std::move(plugged)};
     }
     return Found{(*hand)->facts, std::move(device), std::move(plugged)};

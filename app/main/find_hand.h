@@ -59,7 +59,7 @@ public:
 
 private:
     Result<Found> search(const std::string& wanted);
-    void tell(std::string sentence);
+    void report(std::string sentence);
 
     std::mutex mutex_;  // guards news_ and opening_
     std::vector<std::string> news_;

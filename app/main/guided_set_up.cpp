@@ -17,7 +17,7 @@ void GuidedSetUp::begin(std::span<const wizard::WizardPart> wanted) {
     parts_.ears.sound().post(std::move(no_tone));
 }
 
-void GuidedSetUp::begin_if_asked() {
+void GuidedSetUp::begin_if_requested() {
     if (!parts_.app.requests().take_set_up() || session_) return;
     std::vector<wizard::WizardPart> wanted;
     const bool first = parts_.app.requests().take_first_set_up();

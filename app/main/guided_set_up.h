@@ -37,7 +37,7 @@ public:
 
     void begin(std::span<const wizard::WizardPart> wanted);
     // Call once a frame. Begins the set-up if the person has requested it.
-    void begin_if_asked();
+    void begin_if_requested();
     // Returns the wizard that receives the person's answers; null if no set-up is under way.
     wizard::WizardSession* session() { return session_.get(); }
     bool under_way() const { return session_ != nullptr; }

@@ -18,10 +18,10 @@ constexpr double kServoPeriod_s = 1e-3;
 
 void HandInUse::let_go() {
     if (servo_) servo_->stop();
-    if (servo_ && guarded_) tell_of_guard();
+    if (servo_ && guarded_) report_guard();
 }
 
-void HandInUse::tell_of_guard() {
+void HandInUse::report_guard() {
     for (std::string& sentence : guarded_->take_news()) parts_.say(std::move(sentence));
 }
 
@@ -36,7 +36,7 @@ void HandInUse::use(const core::HandFacts& facts, std::unique_ptr<drivers::Guard
     core::Session& app = parts_.app;
     const settings::Settings& settings = parts_.settings.values();
     tool_ = {};
-    told_how_it_runs_ = guard_missed_ = false;
+    scheduling_reported_ = guard_missed_ = false;
     app.apply(core::HandChanged{facts, settings, facts.simulated && wanted() == "auto"}, parts_.clock.now_s());
     if (!facts.present) return;
     std::unique_ptr<device::HapticDevice> held = std::move(device);
@@ -62,17 +62,17 @@ void HandInUse::read() {
     if (servo_) tool_ = servo_->tool();
 }
 
-void HandInUse::tell_how_it_runs() {
+void HandInUse::report_scheduling() {
     if (!guarded_) return;
     if (const servo::ServoReport& report = servo_->report();
-        !told_how_it_runs_ && report.scheduling != servo::Scheduling::NotStarted) {
-        told_how_it_runs_ = true;
+        !scheduling_reported_ && report.scheduling != servo::Scheduling::NotStarted) {
+        scheduling_reported_ = true;
         if (report.scheduling == servo::Scheduling::Ordinary) parts_.say(servo::scheduling_sentence(report.scheduling));
         if (!report.memory_locked) parts_.say(servo::memory_sentence(report.memory_locked));
         for (std::string& sentence : guarded_->unprotected())  // unprotected() reports each limit only once
             if (report.memory_locked || sentence != phrase("guard.memory_not_locked")) parts_.say(std::move(sentence));
     }
-    tell_of_guard();
+    report_guard();
 }
 
 void HandInUse::watch_sleep(const servo::ToolState* left) {
@@ -85,8 +85,8 @@ void HandInUse::watch_sleep(const servo::ToolState* left) {
 
 // ---- the search and newly connected devices ----
 
-void HandInUse::begin(double asked_s) {
-    asked_s_ = asked_s;
+void HandInUse::begin(double requested_s) {
+    requested_s_ = requested_s;
     const std::string name = wanted();
     const auto hand = hand_without_looking(name);
     if (hand) use(hand->facts, nullptr);
@@ -118,12 +118,12 @@ bool HandInUse::look(std::ostream& err) {
     if (plug_watch_) plug_watch_->rest(search_.has_value() || guarded_ != nullptr);
     if (search_) {
         const bool ready = search_->ready();
-        for (std::string& sentence : search_->take_news()) parts_.say(std::move(sentence), asked_s_);
+        for (std::string& sentence : search_->take_news()) parts_.say(std::move(sentence), requested_s_);
         return !ready || take_found(err);
     }
     if (parts_.app.requests().take_offered_hand() && offer_) {
-        asked_s_ = parts_.clock.now_s();
-        parts_.say(phrase("program.opening", {{"device", offer_->spoken_name}}), asked_s_);
+        requested_s_ = parts_.clock.now_s();
+        parts_.say(phrase("program.opening", {{"device", offer_->spoken_name}}), requested_s_);
         search_.emplace(offer_->name);
         return true;
     }
@@ -180,7 +180,7 @@ void HandInUse::offer_calibration() {
     if (parts_.settings.values().profiles.contains(settings::profile_key(facts_.spec.name, facts_.serial))) return;
     parts_.say(phrase("program.not_set_up", {{"device", facts_.spec.spoken_name()},
                                              {"keys", parts_.app.keys().keys_of(core::Command::Calibrate)}}),
-               asked_s_);
+               requested_s_);
 }
 
 }  // namespace handrail::program

@@ -39,8 +39,8 @@ public:
 
     // Starts the search. Until it finds a real hand, the session uses a simulated one; if there is no real hand, the
     // session keeps the simulated one. If the person requested a certain device, the session has no hand until the
-    // search has found that device. Sentences about the search belong to the reply of `asked_s`.
-    void begin(double asked_s);
+    // search has found that device. Sentences about the search belong to the reply of `requested_s`.
+    void begin(double requested_s);
     // Call once a frame. Announces news of the search and of connected devices, and starts to use a hand that the
     // search has found. Returns false, and writes the reason to `err`, if a device requested on the command line is not
     // available.
@@ -51,7 +51,7 @@ public:
     void look_for_set_up(std::vector<std::string>& news);
     bool looking() const { return search_.has_value(); }
     // Returns the time of the reply to which sentences about the search belong: the start, or the last accepted offer.
-    double asked_s() const { return asked_s_; }
+    double requested_s() const { return requested_s_; }
 
     // Returns true if a servo runs, so that the person can feel forces.
     bool driven() const { return servo_ != nullptr; }
@@ -65,7 +65,7 @@ public:
     void read();
     const servo::ToolState& tool() const { return tool_; }
     // For a real device: announces once what may make the servo run unevenly, and announces each report of the guard.
-    void tell_how_it_runs();
+    void report_scheduling();
 
     // Call once a frame. If a real device is or was in use, removes all force before the computer sleeps, as the stop
     // key does. Afterwards announces how to bring the force back. `left` is the newest state of the left hand; null if
@@ -84,7 +84,7 @@ private:
     void look_at_plugs();
     void offer(drivers::PluggedHand hand);
     void offer_calibration();
-    void tell_of_guard();
+    void report_guard();
 
     Parts parts_;
     std::shared_ptr<device::SimulatedHand> simulated_;
@@ -95,8 +95,8 @@ private:
     std::optional<HandSearch> search_;
     std::optional<PlugWatch> plug_watch_;
     std::optional<drivers::PluggedHand> offer_;  // the device that was last offered to the person
-    double asked_s_ = 0.0;                       // when the program or the person started the search
-    bool told_how_it_runs_ = false;
+    double requested_s_ = 0.0;                   // when the program or the person started the search
+    bool scheduling_reported_ = false;
     bool guard_missed_ = false;  // true if the guard process ended and the device was offered again
     std::optional<SleepWatch> sleep_;
 };

@@ -64,13 +64,13 @@ std::ptrdiff_t moving_parts(const Scene& scene) {
 
 // Returns a list of the freely movable objects, the heaviest last: "Ball 0.5 kg, Safe 400 kg".
 std::string bodies_words(const Scene& scene) {
-    constexpr std::size_t kMostTold = 20;
+    constexpr std::size_t kMostPrinted = 20;
     std::vector<FreeBody> bodies = scene.bodies;
     std::stable_sort(bodies.begin(), bodies.end(),
                      [](const FreeBody& a, const FreeBody& b) { return a.mass_kg < b.mass_kg; });
     std::vector<std::string> words;
     for (const FreeBody& body : bodies)
-        if (words.size() < kMostTold)
+        if (words.size() < kMostPrinted)
             words.push_back(phrase(
                 "info.body", {{"name", spoken_name(scene.features[body.feature.value])}, {"mass", body.mass_kg}}));
     return phrase("info.bodies", {{"count", bodies.size()},
@@ -197,24 +197,24 @@ std::string spoken_stages(const std::vector<std::string_view>& stages) {
 }
 
 // For a file that states rooms, prints sentences: what Handrail understood, and what the author should check.
-void tell_honestly(const Scene& scene, std::ostream& out) {
-    constexpr std::size_t kMostTold = 20;
+void print_check(const Scene& scene, std::ostream& out) {
+    constexpr std::size_t kMostPrinted = 20;
     const HonestReport report = honest_report(scene);
     out << honest_sentence(scene, report) << '\n';
     for (const std::string& sentence : honest_details(scene, report)) out << "  " << sentence << '\n';
     if (report.check.empty()) return;
     out << phrase("honest.to_check") << '\n';
-    for (std::size_t i = 0; i < std::min(kMostTold, report.check.size()); ++i)
+    for (std::size_t i = 0; i < std::min(kMostPrinted, report.check.size()); ++i)
         out << "  "
             << phrase("honest.check_item", {{"what", core::sentence_case(check_words(scene, report.check[i]))},
                                             {"line", report.check[i].source.line}})
             << '\n';
-    if (report.check.size() > kMostTold)
-        out << "  " << phrase("info.more", {{"count", report.check.size() - kMostTold}}) << '\n';
+    if (report.check.size() > kMostPrinted)
+        out << "  " << phrase("info.more", {{"count", report.check.size() - kMostPrinted}}) << '\n';
 }
 
 // Prints sentences for people who listen to them in order, so the important sentences come first.
-void tell(const Scene& scene, const compile::TouchModel& touch, const Cost& cost, std::ostream& out) {
+void print_facts(const Scene& scene, const compile::TouchModel& touch, const Cost& cost, std::ostream& out) {
     const ReadReport& report = scene.report;
     const Aabb building = building_bounds_m(scene);
     const Vec3 size = building.empty() ? Vec3{0.0} : building.size_m();
@@ -240,7 +240,7 @@ void tell(const Scene& scene, const compile::TouchModel& touch, const Cost& cost
                                        {"holes", game.holes.size()},
                                        {"planks", game.planks.size()},
                                        {"blocks", game.blocks.size()}}));
-    if (scene.stated) tell_honestly(scene, out);
+    if (scene.stated) print_check(scene, out);
     if (!scene.effects.empty()) {
         std::vector<std::string> kinds;
         for (const EffectSpec& row : effect_table()) {
@@ -287,9 +287,9 @@ void tell(const Scene& scene, const compile::TouchModel& touch, const Cost& cost
 // be reached on foot, or stays empty.
 navigation::RoomGraph rooms_of(const std::shared_ptr<const Scene>& scene, std::string& unreachable,
                                std::vector<std::string>& left_out) {
-    const core::WalkerSize size = core::body_size(*scene, settings::Settings{}.walk.body_radius_m);
-    core::RoomsOfWorld rooms(scene, navigation::walk_body(*scene, size.radius_m, size.height_m, size.step_up_m),
-                             at_once(), ways_in_cache());
+    const core::WalkerSize size = core::walker_size(*scene, settings::Settings{}.walk.body_radius_m);
+    core::RoomsOfWorld rooms(scene, navigation::walker_measures(*scene, size.radius_m, size.height_m, size.step_up_m),
+                             at_once(), navigation_in_cache());
     if (!rooms.ready() || !rooms.found()) {
         if (!rooms.problem().empty()) left_out.push_back(rooms.problem());
         return {};
@@ -314,11 +314,11 @@ std::optional<std::string> rooms_sentence(const navigation::RoomGraph& graph) {
     return phrase("found_rooms.all", {{"rooms", rooms}, {"ways", ways}, {"names", list}});
 }
 
-// Returns the scale in world metres per hand metre. `wish` is the name of a scale or a number. "building" fits the
+// Returns the scale in world metres per hand metre. `requested` is the name of a scale or a number. "building" fits the
 // whole building into the workspace of a Touch.
-std::optional<double> scale_of(const std::string& wish, const Aabb& bounds_m) {
+std::optional<double> scale_of(const std::string& requested, const Aabb& bounds_m) {
     constexpr double kReach_hand_m = 0.075;
-    const std::string word = lower_ascii(wish);
+    const std::string word = lower_ascii(requested);
     const std::array names{"building", "floor", "room", "detail"};
     for (std::size_t i = 0; i < names.size(); ++i)
         if (word == names[i])
@@ -334,7 +334,7 @@ std::vector<std::string> simplified_at(const Scene& scene, double world_m_per_ha
     const core::OpenPortals portals = core::open_portals(graph);
     compile::SimplifyOptions options;
     options.world_m_per_hand_m = world_m_per_hand_m;
-    if (core::asks_for_openings(world_m_per_hand_m, settings::Settings{}.walk.body_radius_m))
+    if (core::needs_openings(world_m_per_hand_m, settings::Settings{}.walk.body_radius_m))
         options.openings_m = portals.places_m;
     const compile::Simplification plan = compile::plan_simplification(scene, options);
     std::vector<std::string> sentences;
@@ -349,7 +349,7 @@ std::vector<std::string> simplified_at(const Scene& scene, double world_m_per_ha
 }
 
 // Prints whether a hand can tell the materials of this world apart. Returns 1 if it cannot.
-int tell_lint(const Scene& scene, std::ostream& out) {
+int print_lint(const Scene& scene, std::ostream& out) {
     const LintReport lint = lint_materials(scene);
     for (const std::string& problem : lint.problems) out << one_line(problem) << '\n';
     for (const std::string& warning : lint.warnings) out << one_line(warning) << '\n';
@@ -359,9 +359,9 @@ int tell_lint(const Scene& scene, std::ostream& out) {
 
 // Prints a room description of the rooms that the file states. If it states none, describes the rooms that Handrail
 // finds.
-int tell_as_words(const Scene& scene, const std::string& wish, const LongWork& progress, std::ostream& out,
-                  std::ostream& err) {
-    const std::string code = wish.empty() ? spoken_language() : wish;
+int print_as_words(const Scene& scene, const std::string& requested, const LongWork& progress, std::ostream& out,
+                   std::ostream& err) {
+    const std::string code = requested.empty() ? spoken_language() : requested;
     const words::WordLanguage language = code == "de" ? words::WordLanguage::German : words::WordLanguage::English;
     if (scene.stated && !scene.stated->rooms.empty()) {
         progress.done();
@@ -369,9 +369,9 @@ int tell_as_words(const Scene& scene, const std::string& wish, const LongWork& p
         return 0;
     }
     progress.at(phrase("progress.rooms"));
-    const core::WalkerSize size = core::body_size(scene, settings::Settings{}.walk.body_radius_m);
-    const Result<navigation::WalkSpace> space =
-        navigation::make_walk_space(scene, navigation::walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
+    const core::WalkerSize size = core::walker_size(scene, settings::Settings{}.walk.body_radius_m);
+    const Result<navigation::WalkSpace> space = navigation::make_walk_space(
+        scene, navigation::walker_measures(scene, size.radius_m, size.height_m, size.step_up_m));
     if (!space) {
         progress.done();
         err << space.error().sentence() << '\n';
@@ -410,9 +410,9 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     }
     if (arguments.lint) {
         progress.done();
-        return tell_lint(*read, out);
+        return print_lint(*read, out);
     }
-    if (arguments.as_words) return tell_as_words(*read, arguments.language, progress, out, err);
+    if (arguments.as_words) return print_as_words(*read, arguments.language, progress, out, err);
     std::optional<double> scale;
     if (!arguments.scale.empty() && !(scale = scale_of(arguments.scale, building_bounds_m(*read)))) {
         progress.done();
@@ -426,9 +426,10 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     const settings::Settings defaults;
     const core::EnteringWorld entered = core::make_ready(scene);
     const double felt_scale = scale.value_or(defaults.workspace.scale);
-    const double ball_m = core::ball_radius_m(*entered.scene, defaults.haptic.ball_diameter_mm * 1e-3, felt_scale);
+    const double proxy_radius_m =
+        core::proxy_radius_m(*entered.scene, defaults.haptic.ball_diameter_mm * 1e-3, felt_scale);
     compile::CompileOptions felt =
-        compile::exploring(core::felt_rounding_m(defaults.haptic.edge_rounding_mm, felt_scale, ball_m), 0,
+        compile::exploring(core::felt_rounding_m(defaults.haptic.edge_rounding_mm, felt_scale, proxy_radius_m), 0,
                            defaults.haptic.mesh_tolerance_mm * 1e-3 * felt_scale);
     felt.simplifies = [&](FeatureId feature, std::size_t triangles) {
         progress.at(phrase("progress.simplify",
@@ -453,7 +454,7 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     cost.peak_memory_bytes = peak_memory_bytes();
     progress.done();
     if (arguments.json) out << json_of(*scene, touch, cost).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-    else tell(*scene, touch, cost, out);
+    else print_facts(*scene, touch, cost, out);
     return 0;
 }
 

@@ -13,15 +13,15 @@ bool KeptSettings::take(const std::vector<std::pair<std::string, std::string>>& 
 }
 
 void KeptSettings::keep_saved(double now_s) {
-    if (const auto written = writer_.take_result()) tell_unsaved(*written, now_s);
+    if (const auto written = writer_.take_result()) report_unsaved(*written, now_s);
     if (writer_.busy() || !save_.take_due(now_s)) return;
     auto wanted = settings_.to_save();
-    if (!wanted) return tell_unsaved(tl::unexpected(wanted.error()), now_s);
+    if (!wanted) return report_unsaved(tl::unexpected(wanted.error()), now_s);
     if (*wanted) writer_.write(std::move((*wanted)->file), std::move((*wanted)->text));
-    else tell_unsaved({}, now_s);
+    else report_unsaved({}, now_s);
 }
 
-void KeptSettings::tell_unsaved(const Result<void>& saved, double now_s) {
+void KeptSettings::report_unsaved(const Result<void>& saved, double now_s) {
     if (auto sentence = save_.ended(saved, now_s)) say_(std::move(*sentence), now_s);
 }
 

@@ -30,7 +30,7 @@ public:
     void save_at_the_end(std::ostream& err);
 
 private:
-    void tell_unsaved(const Result<void>& saved, double now_s);
+    void report_unsaved(const Result<void>& saved, double now_s);
 
     settings::SettingsStore& settings_;
     Clock& clock_;

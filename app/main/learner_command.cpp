@@ -103,7 +103,7 @@ private:
     int show() {
         const auto learner = learners_.find(arguments_.name);
         if (!learner) return refuse(learner.error());
-        tell(*learner);
+        print_facts(*learner);
         const learners::Holdings holdings = learners::holdings_of(learners_.folder_of(learner->id));
         for (const Error& fault : holdings.faults) err_ << fault.sentence() << '\n';
         out_ << phrase("learner.holds", {{"recordings", holdings.recordings},
@@ -114,7 +114,7 @@ private:
         return 0;
     }
 
-    void tell(const learners::Learner& learner) {
+    void print_facts(const learners::Learner& learner) {
         if (!learner.created.empty())
             out_ << phrase("learner.created", {{"name", learner.name}, {"day", learner.created}}) << '\n';
         for (const learners::Purpose purpose : learners::kPurposes) {
@@ -168,7 +168,7 @@ private:
             for (const learners::Purpose purpose : *withdrawn) one.consent(purpose).reset();
         });
         if (!changed) return refuse(changed.error());
-        tell(*changed);
+        print_facts(*changed);
         return 0;
     }
 

@@ -44,8 +44,8 @@ Result<void> begin_as_learner(LessonCall& call) {
     return {};
 }
 
-ExploreCall as_somebody_else(ExploreCall asked, ExploreEnd end) {
-    ExploreArguments& arguments = asked.arguments;
+ExploreCall as_somebody_else(ExploreCall requested, ExploreEnd end) {
+    ExploreArguments& arguments = requested.arguments;
     arguments.learner = end.learner.value_or(std::string());
     // For a named learner, whether the session is recorded depends on what that learner has agreed to.
     if (!arguments.learner.empty()) arguments.record_in.reset();
@@ -56,7 +56,7 @@ ExploreCall as_somebody_else(ExploreCall asked, ExploreEnd end) {
     arguments.lines = std::move(end.lines);
     arguments.lesson.reset();
     arguments.news = {phrase(arguments.learner.empty() ? "learner.nobody_here" : "learner.changes")};
-    return asked;
+    return requested;
 }
 
 }  // namespace handrail::program

@@ -15,8 +15,8 @@ Result<void> begin_as_learner(ExploreCall& call);
 // does; the learner need not exist yet. A lesson that is only checked does not change.
 Result<void> begin_as_learner(LessonCall& call);
 
-// Returns the call that continues in the same world after a session in which the person chose another learner. `asked`
-// is the original call, before begin_as_learner changed it.
-ExploreCall as_somebody_else(ExploreCall asked, ExploreEnd end);
+// Returns the call that continues in the same world after a session in which the person chose another learner.
+// `requested` is the original call, before begin_as_learner changed it.
+ExploreCall as_somebody_else(ExploreCall requested, ExploreEnd end);
 
 }  // namespace handrail::program

@@ -37,7 +37,7 @@ void LearnersHere::show(double now_s) {
 }
 
 // Returns sentences about the current learner: which data about the person are stored, and where the lessons continue.
-std::string LearnersHere::told_of(const learners::Learner& learner) const {
+std::string LearnersHere::facts_of(const learners::Learner& learner) const {
     const std::filesystem::path folder = learners_.folder_of(learner.id);
     const learners::Holdings holdings = learners::holdings_of(folder);
     std::string words = phrase("learner.here", {{"name", learner.name}}) + " " +
@@ -48,7 +48,7 @@ std::string LearnersHere::told_of(const learners::Learner& learner) const {
     const auto lessons = learners::lessons_begun(folder);
     if (!lessons) return words + " " + lessons.error().sentence();
     for (const learners::LessonProgress& one : *lessons)
-        if (const auto lesson = teaching::read_lesson(one.file, {world_folder()}, toml_beside_worlds()))
+        if (const auto lesson = teaching::read_lesson(one.file, {world_folder()}, toml_next_to_worlds()))
             words += " " + phrase("learner.lesson_goes_on",
                                   {{"title", lesson->title.spoken()},
                                    {"number", learners::session_behind(one.taught, lesson->sessions.size()) + 1},
@@ -67,7 +67,7 @@ void LearnersHere::choose(std::size_t at, double now_s) {
     // Read the learner again, because another process may have deleted or damaged the learner since the list was made.
     const auto learner = learners_.find(shown_[at - 1].id);
     if (!learner) return say_(learner.error().sentence(), now_s);
-    if (learner->name == here) return say_(told_of(*learner), now_s);
+    if (learner->name == here) return say_(facts_of(*learner), now_s);
     next_ = learner->id;
 }
 

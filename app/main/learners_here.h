@@ -30,7 +30,7 @@ public:
 private:
     void show(double now_s);
     void choose(std::size_t at, double now_s);
-    std::string told_of(const learners::Learner& learner) const;
+    std::string facts_of(const learners::Learner& learner) const;
 
     const ExploreArguments& arguments_;
     core::Session& app_;

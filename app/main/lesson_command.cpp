@@ -24,7 +24,7 @@ int check_lesson(const std::shared_ptr<teaching::TaughtWorld>& world, core::Room
         sinks::RecordingSpeech speech;
         progress.at(phrase("progress.scenario", {{"title", pupil.name}}));
         const auto outcome =
-            teaching::run_pupil(world, pupil, audio, speech, {imported_scene, toml_beside_worlds()}, &rooms_kept);
+            teaching::run_pupil(world, pupil, audio, speech, {imported_scene, toml_next_to_worlds()}, &rooms_kept);
         progress.done();
         std::vector<std::string> failures =
             outcome ? outcome->failures : std::vector<std::string>{outcome.error().sentence()};

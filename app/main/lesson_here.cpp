@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "app/core/kept/side_file.h"
+#include "app/learners/export_gate.h"
 #include "app/learners/kept_results.h"
 #include "app/learners/lesson_progress.h"
-#include "app/learners/way_out.h"
 #include "app/main/world_files.h"
 #include "app/teaching/run_words.h"
 #include "worlds/base/files.h"
@@ -49,7 +49,7 @@ std::vector<fs::path> lessons_near(const fs::path& world) {
 
 void read_lessons_ahead(const fs::path& world, const std::stop_token& stop) {
     for (const fs::path& file : lessons_near(world))
-        if (!stop.stop_requested()) (void)teaching::read_lesson(file, {world_folder()}, toml_beside_worlds());
+        if (!stop.stop_requested()) (void)teaching::read_lesson(file, {world_folder()}, toml_next_to_worlds());
 }
 
 fs::path lessons_folder() { return core::user_data_folder("lessons"); }
@@ -69,7 +69,7 @@ Result<fs::path> lesson_given(const fs::path& word) {
 }
 
 Result<std::shared_ptr<teaching::TaughtWorld>> read_taught_world(const fs::path& file, core::RoomsKept* rooms_kept) {
-    auto lesson = teaching::read_lesson(file, {world_folder()}, toml_beside_worlds());
+    auto lesson = teaching::read_lesson(file, {world_folder()}, toml_next_to_worlds());
     if (!lesson) return tl::unexpected(lesson.error());
     auto scene = imported_scene({.file = lesson->world});
     if (!scene) return tl::unexpected(scene.error());
@@ -86,7 +86,7 @@ void LessonHere::offer(double now_s) {
     core::TeacherActed act{core::TeacherActed::Kind::Offer, {}, {}, {}, 0.0};
     for (const fs::path& file : lessons_near(world)) {
         std::error_code ec;
-        const auto lesson = teaching::read_lesson(file, {world_folder()}, toml_beside_worlds());
+        const auto lesson = teaching::read_lesson(file, {world_folder()}, toml_next_to_worlds());
         if (!lesson || !fs::equivalent(lesson->world, world, ec)) continue;
         offered_.push_back(file);
         std::vector<std::string> news;
@@ -146,16 +146,16 @@ void LessonHere::write_draft(double now_s) {
     fs::path file = folder / (stem + ".lesson.toml");
     for (int number = 2; fs::exists(file, ec); ++number) file = folder / fmt::format("{}-{}.lesson.toml", stem, number);
     // The draft may contain a learner's own marks and routes, and this folder is outside the learner's folder. So write
-    // the draft through a WayOut, which checks that the learner agreed to share.
+    // the draft through an ExportGate, which checks that the learner agreed to share.
     const fs::path& data = arguments_.common.data_in;
-    const auto way_out =
-        learners::WayOut::of(learners::Learners(core::user_data_folder()), data.empty() ? folder : data);
+    const auto export_gate =
+        learners::ExportGate::of(learners::Learners(core::user_data_folder()), data.empty() ? folder : data);
     const auto written = folder.empty() ? fail(phrase("files.no_home"))
-                         : way_out      ? way_out->write(file, teaching::lesson_text(lesson), write_file_atomically)
-                                        : tl::unexpected(way_out.error());
-    app_.apply(core::Told{written ? phrase("prepare.saved", {{"title", draft->title}, {"file", file.string()}})
-                                  : written.error().sentence(),
-                          cues::SpeechClass::Answer},
+                         : export_gate  ? export_gate->write(file, teaching::lesson_text(lesson), write_file_atomically)
+                                        : tl::unexpected(export_gate.error());
+    app_.apply(core::Announcement{written ? phrase("prepare.saved", {{"title", draft->title}, {"file", file.string()}})
+                                          : written.error().sentence(),
+                                  cues::SpeechClass::Answer},
                now_s);
     if (written) offer(now_s);
 }
@@ -170,15 +170,15 @@ void LessonHere::begin_chosen(double now_s) {
         std::vector<std::string> news;  // unused, because these sentences were announced when the lesson was offered
         const std::size_t session = next_session(arguments_, (*found)->lesson(), news);
         begin({*found, session, teaching::learner_named(arguments_.learner)}, now_s);
-    } else app_.apply(core::Told{found.error().sentence(), cues::SpeechClass::Answer}, now_s);
+    } else app_.apply(core::Announcement{found.error().sentence(), cues::SpeechClass::Answer}, now_s);
 }
 
 void LessonHere::listen_to_desk(double now_s) {
     if (!desk_) return;
-    for (const std::string& order : desk_->take_orders()) desk_->tell(teaching::carry_out_order(*run_, order, now_s));
-    if (now_s - told_s_ < teaching::TeachingRun::kSummary_s) return;
-    told_s_ = now_s;
-    desk_->tell(run_->summary());
+    for (const std::string& order : desk_->take_orders()) desk_->send(teaching::carry_out_order(*run_, order, now_s));
+    if (now_s - summary_sent_s_ < teaching::TeachingRun::kSummary_s) return;
+    summary_sent_s_ = now_s;
+    desk_->send(run_->summary());
 }
 
 void LessonHere::turn(bool speaking, double now_s) {

@@ -55,10 +55,10 @@ private:
     std::string begun_utc_;
     std::unique_ptr<teaching::DeskServer> desk_;
     std::vector<core::SessionEvent> events_;
-    double turned_s_ = -1e9, told_s_ = -1e9;
+    double turned_s_ = -1e9, summary_sent_s_ = -1e9;
 };
 
-// Reads the lessons that will be offered in a world. The results are stored in the cache of toml_beside_worlds, so the
+// Reads the lessons that will be offered in a world. The results are stored in the cache of toml_next_to_worlds, so the
 // app thread later gets them without waiting.
 void read_lessons_ahead(const std::filesystem::path& world, const std::stop_token& stop);
 // Finds the lesson that a command names. `word` is a file, or a name such as "school": one of the person's own lessons,

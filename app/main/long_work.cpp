@@ -22,7 +22,7 @@ struct LongWork::State {
     bool under_way = false, reads = false;
     std::string what;  // the current work in words; while a file is read, the stage of reading, which may be empty
     int percent = 0;
-    std::optional<Patience> patience;  // decides when a sentence is due; created by the first call of tell()
+    std::optional<Patience> patience;  // decides when a sentence is due; created by the first call of report()
     std::function<void(const std::string&)> noted;
 
     std::string words(double now_s) const {
@@ -84,7 +84,7 @@ void LongWork::done() const {
     state_->changed.notify_all();
 }
 
-void LongWork::tell(double now_s, const std::function<void(const std::string&)>& say) const {
+void LongWork::report(double now_s, const std::function<void(const std::string&)>& say) const {
     if (!state_) return;
     const std::lock_guard lock(state_->mutex);
     if (!state_->under_way) return;
@@ -121,7 +121,7 @@ LongWorkLines::LongWorkLines(const LongWork& progress, std::ostream& to) : progr
         name_this_thread("progress");
         const SteadyClock clock;
         while (progress_.wait_for_work(stop_)) {
-            progress_.tell(clock.now_s(), [&to](const std::string& words) { to << words + "\n" << std::flush; });
+            progress_.report(clock.now_s(), [&to](const std::string& words) { to << words + "\n" << std::flush; });
             progress_.wait_s(kLook_s, stop_);
         }
     });

@@ -43,7 +43,7 @@ public:
     // ---- the reporting side ----
     // Calls `say` with the sentence that is due at this time, if any. All times must be from one clock. The two seconds
     // begin with the first call.
-    void tell(double now_s, const std::function<void(const std::string&)>& say) const;
+    void report(double now_s, const std::function<void(const std::string&)>& say) const;
     // Waits until there is work, or until end_waiting() has set `stop`. Returns true if there is work.
     bool wait_for_work(const bool& stop) const;
     // Waits for `seconds`, or until `stop` is set or the work is done.

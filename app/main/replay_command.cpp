@@ -11,7 +11,7 @@
 #include "app/core/kept/side_file.h"
 #include "app/core/kept/spoken_language.h"
 #include "app/core/session/session.h"
-#include "app/learners/way_out.h"
+#include "app/learners/export_gate.h"
 #include "app/main/commands.h"
 #include "app/main/end_signals.h"
 #include "app/main/world_files.h"
@@ -39,27 +39,27 @@ constexpr double kEars_m = 1.6;             // height of the listener's ears abo
 
 // ---- playback ----
 
-enum class Wish : std::uint8_t { None, Stop, Back, On, Leave };
+enum class Act : std::uint8_t { None, Stop, Back, On, Leave };
 
 constexpr std::array<std::string_view, 4> kTypedWords{"stop", "back", "on", "leave"};
 
-Wish wish_of(std::string_view typed) {
+Act act_of(std::string_view typed) {
     const std::string word = core::english_word("replay_word", kTypedWords, typed);
     const auto is_one_of = [&word](std::initializer_list<std::string_view> words) {
         return std::find(words.begin(), words.end(), word) != words.end();
     };
-    if (is_one_of({"Space", " ", "", "stop"})) return Wish::Stop;
-    if (is_one_of({"Left", "left", "back"})) return Wish::Back;
-    if (is_one_of({"Right", "right", "on"})) return Wish::On;
-    if (is_one_of({"Escape", "leave"})) return Wish::Leave;
-    return Wish::None;
+    if (is_one_of({"Space", " ", "", "stop"})) return Act::Stop;
+    if (is_one_of({"Left", "left", "back"})) return Act::Back;
+    if (is_one_of({"Right", "right", "on"})) return Act::On;
+    if (is_one_of({"Escape", "leave"})) return Act::Leave;
+    return Act::None;
 }
 
 // Reads what the person wants during playback. If the terminal supports it, keys act at once; otherwise the person
 // types words, one on each line.
-class Wishes {
+class Acts {
 public:
-    explicit Wishes(Clock& clock) : terminal_(terminal::RawTerminal::take(STDIN_FILENO, STDOUT_FILENO)) {
+    explicit Acts(Clock& clock) : terminal_(terminal::RawTerminal::take(STDIN_FILENO, STDOUT_FILENO)) {
         const char* kind = std::getenv("TERM");
         if (terminal_)
             keys_.emplace(STDIN_FILENO,
@@ -68,15 +68,15 @@ public:
         else lines_.emplace(STDIN_FILENO, terminal::LineWatch::WhenFull::Waits, [](std::string_view) { return false; });
     }
     bool has_keys() const { return keys_.has_value(); }
-    std::vector<Wish> take() {
-        std::vector<Wish> wishes;
+    std::vector<Act> take() {
+        std::vector<Act> chosen;
         bool emptied = false;
         if (keys_)
             for (const terminal::TimedInput& one : keys_->take(emptied))
-                wishes.push_back(wish_of(one.input.key.empty() ? one.input.text : one.input.key));
+                chosen.push_back(act_of(one.input.key.empty() ? one.input.text : one.input.key));
         else
-            for (const std::string& line : lines_->take(emptied)) wishes.push_back(wish_of(line));
-        return wishes;
+            for (const std::string& line : lines_->take(emptied)) chosen.push_back(act_of(line));
+        return chosen;
     }
 
 private:
@@ -88,7 +88,7 @@ private:
 class HeardAgain {
 public:
     HeardAgain(const record::Recording& recording, double speed, const settings::Settings& settings)
-        : hearing_(recording, speed), wishes_(clock_) {
+        : hearing_(recording, speed), acts_(clock_) {
         sinks::SoundOutputs outputs = sinks::open_sound_outputs(settings, STDOUT_FILENO);
         sound_ = std::make_unique<cues::AudioThread>(std::move(outputs.audio), std::move(outputs.speech), clock_,
                                                      nullptr, settings);
@@ -97,12 +97,12 @@ public:
 
     void run() {
         const EndSignals signals;
-        say(phrase(wishes_.has_keys() ? "replay.begin_keys" : "replay.begin_words",
+        say(phrase(acts_.has_keys() ? "replay.begin_keys" : "replay.begin_words",
                    {{"length", time_words(hearing_.length_s())}}));
         double then_s = clock_.now_s();
-        while (!signals.asked() && !left_ && !(hearing_.over() && !speaking())) {
+        while (!signals.requested() && !left_ && !(hearing_.over() && !speaking())) {
             const double now_s = clock_.now_s();
-            for (const Wish wish : wishes_.take()) act(wish);
+            for (const Act chosen : acts_.take()) act(chosen);
             record::Hearing::Heard heard = hearing_.go_on(now_s - then_s, speaking());
             then_s = now_s;
             if (const record::FrameRow* place = hearing_.place())
@@ -112,7 +112,7 @@ public:
                 if (line.voiced) say(std::move(line.text));
             clock_.sleep_until_s(now_s + core::kFrame_s);
         }
-        sound_->stop(signals.asked() ? 0.0 : kReplayLastWords_s);
+        sound_->stop(signals.requested() ? 0.0 : kReplayLastWords_s);
     }
 
 private:
@@ -138,23 +138,23 @@ private:
         request.loudness = std::clamp(knock.force_n / 2.0, 0.2, 1.0);
         sound_->post(std::move(request));
     }
-    void act(Wish wish) {
-        if (wish == Wish::None) return;
+    void act(Act chosen) {
+        if (chosen == Act::None) return;
         cues::CueRequest quiet;
         quiet.kind = cues::CueRequestKind::StopSpeech;
         quiet.time_s = clock_.now_s();
         sound_->post(std::move(quiet));
-        if (wish == Wish::Leave) left_ = true;
-        if (wish == Wish::Stop) hearing_.stop_or_go_on();
-        if (wish == Wish::Back || wish == Wish::On)
-            hearing_.jump(wish == Wish::On ? record::Hearing::kJump_s : -record::Hearing::kJump_s);
+        if (chosen == Act::Leave) left_ = true;
+        if (chosen == Act::Stop) hearing_.stop_or_go_on();
+        if (chosen == Act::Back || chosen == Act::On)
+            hearing_.jump(chosen == Act::On ? record::Hearing::kJump_s : -record::Hearing::kJump_s);
         if (left_) return;
         say(phrase(hearing_.stopped() ? "replay.stopped_at" : "replay.at", {{"time", time_words(hearing_.at_s())}}));
     }
 
     SteadyClock clock_;
     record::Hearing hearing_;
-    Wishes wishes_;
+    Acts acts_;
     std::unique_ptr<cues::AudioThread> sound_;
     double said_s_ = -1e9;
     bool left_ = false;
@@ -163,21 +163,22 @@ private:
 // ---- conversion to tables ----
 
 template <class Rows>
-Result<void> write_table(const learners::WayOut& way_out, const fs::path& file, std::string_view header,
+Result<void> write_table(const learners::ExportGate& export_gate, const fs::path& file, std::string_view header,
                          const Rows& rows) {
     if (rows.empty()) return {};
     std::string text = std::string(header) + "\r\n";
     for (const auto& row : rows) text += fmt::format("{}\r\n", fmt::join(record::numbers_of(row), ","));
-    return way_out.write(file, text, write_file_atomically);
+    return export_gate.write(file, text, write_file_atomically);
 }
 
-Result<void> write_tables(const learners::WayOut& way_out, const record::Recording& recording, const fs::path& folder) {
+Result<void> write_tables(const learners::ExportGate& export_gate, const record::Recording& recording,
+                          const fs::path& folder) {
     for (const Result<void>& written :
-         {write_table(way_out, folder / "hand.csv", record::hand_header(), recording.hands[0]),
-          write_table(way_out, folder / "left.csv", record::hand_header(), recording.hands[1]),
-          write_table(way_out, folder / "frames.csv", record::frame_header(), recording.frames),
-          write_table(way_out, folder / "cues.csv", record::cue_header(), recording.cues),
-          write_table(way_out, folder / "engine.csv", record::engine_header(), recording.bodies)})
+         {write_table(export_gate, folder / "hand.csv", record::hand_header(), recording.hands[0]),
+          write_table(export_gate, folder / "left.csv", record::hand_header(), recording.hands[1]),
+          write_table(export_gate, folder / "frames.csv", record::frame_header(), recording.frames),
+          write_table(export_gate, folder / "cues.csv", record::cue_header(), recording.cues),
+          write_table(export_gate, folder / "engine.csv", record::engine_header(), recording.bodies)})
         if (!written) return written;
     return {};
 }
@@ -190,7 +191,7 @@ int check(const record::Recording& recording, std::ostream& out, std::ostream& e
         return 1;
     }
     progress.at(phrase("progress.again"));
-    const auto again = record::compute_again(recording, {imported_scene, toml_beside_worlds()});
+    const auto again = record::compute_again(recording, {imported_scene, toml_next_to_worlds()});
     progress.done();
     if (!again) {
         err << again.error().sentence() << '\n';
@@ -227,11 +228,11 @@ int run_replay(const ReplayArguments& arguments, const settings::Settings& setti
         return 1;
     };
     if (folder.empty()) return refuse({{}, 0, 0, phrase("replay.none")});
-    const auto way_out = learners::WayOut::of(learners::Learners(core::user_data_folder()), folder);
-    if (!way_out) return refuse(way_out.error());
+    const auto export_gate = learners::ExportGate::of(learners::Learners(core::user_data_folder()), folder);
+    if (!export_gate) return refuse(export_gate.error());
     for (const auto& file : {arguments.csv, arguments.scenario})
         if (file)
-            if (const auto allowed = way_out->allows(*file); !allowed) return refuse(allowed.error());
+            if (const auto allowed = export_gate->allows(*file); !allowed) return refuse(allowed.error());
     progress.at(phrase("progress.recording"));
     const auto recording = record::read_recording(folder);
     progress.done();
@@ -239,17 +240,17 @@ int run_replay(const ReplayArguments& arguments, const settings::Settings& setti
     for (const Error& problem : recording->problems) err << problem.sentence() << '\n';
     if (!recording->ended) out << phrase("replay.ends_early") << '\n';
     if (arguments.csv)
-        if (const auto written = write_tables(*way_out, *recording, *arguments.csv); !written)
+        if (const auto written = write_tables(*export_gate, *recording, *arguments.csv); !written)
             return refuse(written.error());
     if (arguments.scenario) {
         auto scenario = record::scenario_of(*recording, folder.filename().string());
         progress.at(phrase("progress.scenario", {{"title", folder.filename().string()}}));
-        if (scenario) scenario = record::as_it_runs(std::move(*scenario), {imported_scene, toml_beside_worlds()});
+        if (scenario) scenario = record::as_it_runs(std::move(*scenario), {imported_scene, toml_next_to_worlds()});
         progress.done();
         if (!scenario) return refuse(scenario.error());
         for (const std::string& sentence : scenario->left_out) out << sentence << '\n';
-        if (const auto written =
-                way_out->write(*arguments.scenario, record::with_expectations(*scenario), write_named_file_atomically);
+        if (const auto written = export_gate->write(*arguments.scenario, record::with_expectations(*scenario),
+                                                    write_named_file_atomically);
             !written)
             return refuse(written.error());
     }

@@ -6,7 +6,7 @@
 
 #include "app/core/kept/side_file.h"
 #include "app/core/whereabouts/rooms_kept.h"
-#include "app/learners/way_out.h"
+#include "app/learners/export_gate.h"
 #include "app/main/commands.h"
 #include "app/main/session_report.h"
 #include "app/main/world_files.h"
@@ -26,7 +26,7 @@ public:
     Result<std::shared_ptr<const Scene>> read(const record::RecordedWorld& world) {
         if (scene_ && is_same(world)) return scene_;
         scene_.reset();
-        auto scene = record::read_recorded_scene(world, {imported_scene, toml_beside_worlds()});
+        auto scene = record::read_recorded_scene(world, {imported_scene, toml_next_to_worlds()});
         if (!scene) return scene;
         world_ = world;
         return scene_ = *scene;
@@ -100,13 +100,13 @@ private:
     int of_session() {
         const fs::path folder = arguments_.folder.value_or(newest_in(core::user_data_folder("recordings")));
         if (folder.empty()) return refuse({{}, 0, 0, phrase("replay.none")});
-        if (auto way = way_out_of(folder); way) way_out_ = std::move(*way);
+        if (auto way = export_gate_of(folder); way) export_gate_ = std::move(*way);
         else return refuse(way.error());
         if (const auto allowed = allowed_all(); !allowed) return refuse(allowed.error());
         WorldBefore none;
         auto report = report_of_folder(folder, none, progress_, out_, err_);
         if (!report) return refuse(report.error());
-        report->learner = way_out_.learner() ? way_out_.learner()->name : arguments_.learner;
+        report->learner = export_gate_.learner() ? export_gate_.learner()->name : arguments_.learner;
         const std::span<const report::SessionReport> one(&*report, 1);
         if (const int status = write(arguments_.html ? report::report_page(*report) : std::string(), one); status != 0)
             return status;
@@ -114,13 +114,13 @@ private:
         return 0;
     }
 
-    // Returns the WayOut through which the results are written. A recording in a learner's folder belongs to that
+    // Returns the ExportGate through which the results are written. A recording in a learner's folder belongs to that
     // learner. For any other recording, --learner says to whom it belongs.
-    Result<learners::WayOut> way_out_of(const fs::path& folder) const {
-        auto way = learners::WayOut::of(learners_, folder);
+    Result<learners::ExportGate> export_gate_of(const fs::path& folder) const {
+        auto way = learners::ExportGate::of(learners_, folder);
         if (!way || arguments_.learner.empty()) return way;
         auto named = learners_.find(arguments_.learner);
-        if (!way->learner()) return named ? learners::WayOut::of(learners_, std::move(*named)) : way;
+        if (!way->learner()) return named ? learners::ExportGate::of(learners_, std::move(*named)) : way;
         if (named && named->id == way->learner()->id) return way;
         return fail(phrase("report.of_another", {{"name", way->learner()->name}}));
     }
@@ -128,7 +128,7 @@ private:
     Result<void> allowed_all() const {
         for (const auto& file : {arguments_.html, arguments_.csv, arguments_.json})
             if (file)
-                if (auto allowed = way_out_.allows(*file); !allowed) return allowed;
+                if (auto allowed = export_gate_.allows(*file); !allowed) return allowed;
         return {};
     }
 
@@ -136,7 +136,7 @@ private:
     int of_learner() {
         const auto learner = learners_.find(arguments_.learner);
         if (!learner) return refuse(learner.error());
-        way_out_ = learners::WayOut::of(learners_, *learner);
+        export_gate_ = learners::ExportGate::of(learners_, *learner);
         if (const auto allowed = allowed_all(); !allowed) return refuse(allowed.error());
         std::vector<report::SessionReport> reports;
         WorldBefore before;
@@ -191,7 +191,7 @@ private:
                 return refuse({{}, 0, 0, phrase("export.exists", {{"file", made.path.string()}})});
         for (const Made& made : files) {
             const auto how = made.named ? write_named_file_atomically : write_file_atomically;
-            if (const auto written = way_out_.write(made.path, made.content, how); !written)
+            if (const auto written = export_gate_.write(made.path, made.content, how); !written)
                 return refuse(written.error());
             out_ << phrase("report.wrote", {{"file", made.path.string()}}) << '\n';
         }
@@ -201,7 +201,7 @@ private:
     const ReportArguments& arguments_;
     const LongWork& progress_;
     const learners::Learners learners_{core::user_data_folder()};
-    learners::WayOut way_out_;
+    learners::ExportGate export_gate_;
     std::ostream& out_;
     std::ostream& err_;
 };

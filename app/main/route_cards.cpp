@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/session/session.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
@@ -76,8 +76,8 @@ private:
     double now_s_ = 0.0;
 };
 
-std::optional<exports::CardRoute> way_between(AtStart& at_start, navigation::Navigation& navigation,
-                                              const CardPlace& from, const CardPlace& to) {
+std::optional<exports::CardRoute> route_between(AtStart& at_start, navigation::Navigation& navigation,
+                                                const CardPlace& from, const CardPlace& to) {
     const Vec3 start_m = navigation.nearest_place(from.at_m).value_or(from.at_m);
     double heading_rad = from.heading_rad.value_or(0.0);
     if (!from.heading_rad) {
@@ -99,16 +99,17 @@ std::optional<exports::CardRoute> way_between(AtStart& at_start, navigation::Nav
 
 }  // namespace
 
-Result<CardRoutes> card_ways(const std::shared_ptr<const Scene>& scene, const navigation::RoomGraph& graph,
-                             navigation::Navigation& navigation, const plan::Storey& storey, const CardWish& wish) {
+Result<CardRoutes> card_routes(const std::shared_ptr<const Scene>& scene, const navigation::RoomGraph& graph,
+                               navigation::Navigation& navigation, const plan::Storey& storey,
+                               const CardOptions& options) {
     const std::vector<CardPlace> places = places_of(*scene, graph);
-    const Result<CardPlace> from = wish.from ? place_named(places, *wish.from) : base_of(*scene);
+    const Result<CardPlace> from = options.from ? place_named(places, *options.from) : base_of(*scene);
     if (!from) return tl::unexpected(from.error());
     const std::uint32_t begins_in =
         navigation::room_at(graph, navigation.space(), navigation.nearest_place(from->at_m).value_or(from->at_m));
     std::vector<CardPlace> goals;
-    if (wish.to) {
-        const Result<CardPlace> to = place_named(places, *wish.to);
+    if (options.to) {
+        const Result<CardPlace> to = place_named(places, *options.to);
         if (!to) return tl::unexpected(to.error());
         if (to->room && begins_in != navigation::kNothing &&
             navigation::room_at(graph, navigation.space(), to->at_m) == begins_in)
@@ -120,14 +121,14 @@ Result<CardRoutes> card_ways(const std::shared_ptr<const Scene>& scene, const na
                 goals.push_back({room.name, graph.rooms[room.room].middle_m, std::nullopt, true});
         std::sort(goals.begin(), goals.end(), [](const CardPlace& a, const CardPlace& b) { return a.name < b.name; });
     }
-    AtStart at_start(scene, wish.settings);
+    AtStart at_start(scene, options.settings);
     CardRoutes made;
     for (const CardPlace& to : goals) {
-        if (auto way = way_between(at_start, navigation, *from, to)) made.ways.push_back(std::move(*way));
+        if (auto way = route_between(at_start, navigation, *from, to)) made.ways.push_back(std::move(*way));
         else made.unreached.push_back(to.name);
     }
     if (made.ways.empty())
-        return fail(phrase("export.no_way", {{"from", from->name}, {"to", wish.to ? goals[0].name : storey.world}}));
+        return fail(phrase("export.no_way", {{"from", from->name}, {"to", options.to ? goals[0].name : storey.world}}));
     return made;
 }
 

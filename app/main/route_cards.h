@@ -16,7 +16,7 @@
 
 namespace handrail::program {
 
-struct CardWish {
+struct CardOptions {
     // Names of a room, an object or a start. Without `from`, routes begin at the base. Without `to`, they lead to every
     // room.
     std::optional<std::string> from, to;
@@ -31,7 +31,8 @@ struct CardRoutes {
 // Returns directions from one place to another, or to every room of the storey in the order of the rooms' names. Each
 // leg is a sentence, the same that a session with these settings announces to a person at that place. Fails with one
 // sentence if a name is unknown, which suggests the nearest name. Also fails if there is no base or no route at all.
-Result<CardRoutes> card_ways(const std::shared_ptr<const Scene>& scene, const navigation::RoomGraph& graph,
-                             navigation::Navigation& navigation, const plan::Storey& storey, const CardWish& wish);
+Result<CardRoutes> card_routes(const std::shared_ptr<const Scene>& scene, const navigation::RoomGraph& graph,
+                               navigation::Navigation& navigation, const plan::Storey& storey,
+                               const CardOptions& options);
 
 }  // namespace handrail::program

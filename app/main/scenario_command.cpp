@@ -6,7 +6,7 @@
 #include "app/core/kept/side_file.h"
 #include "app/core/scenario/scenario_run.h"
 #include "app/core/session/headless_session.h"
-#include "app/learners/way_out.h"
+#include "app/learners/export_gate.h"
 #include "app/main/commands.h"
 #include "app/main/transcript.h"
 #include "app/main/world_files.h"
@@ -60,13 +60,14 @@ void note_heard(const sinks::RecordingAudio& audio, const sinks::RecordingSpeech
 }
 
 // Writes the transcript to FOLDER/NAME.txt, in which NAME is the name of the scenario file.
-Result<void> write_transcript(const fs::path& folder, const core::Scenario& scenario, const learners::WayOut& way_out,
-                              const core::SessionLog& log) {
+Result<void> write_transcript(const fs::path& folder, const core::Scenario& scenario,
+                              const learners::ExportGate& export_gate, const core::SessionLog& log) {
     const fs::path file = folder / scenario.file.filename().replace_extension(".txt");
-    return way_out.write(file, transcript(log), write_file_atomically);
+    return export_gate.write(file, transcript(log), write_file_atomically);
 }
 
-Outcome run_one(const core::Scenario& scenario, const learners::WayOut& way_out, const ScenarioArguments& arguments) {
+Outcome run_one(const core::Scenario& scenario, const learners::ExportGate& export_gate,
+                const ScenarioArguments& arguments) {
     Outcome outcome{scenario.file.filename().string(), scenario.title, {}, 0.0};
     core::WorldRequest request = scenario.world;
     const CommonArguments& common = arguments.common;
@@ -81,7 +82,7 @@ Outcome run_one(const core::Scenario& scenario, const learners::WayOut& way_out,
     const auto shared = std::make_shared<const Scene>(std::move(*scene));
     sinks::RecordingAudio audio;
     sinks::RecordingSpeech speech;
-    auto log = core::run_scenario(scenario, shared, audio, speech, {imported_scene, toml_beside_worlds()});
+    auto log = core::run_scenario(scenario, shared, audio, speech, {imported_scene, toml_next_to_worlds()});
     if (!log) {
         outcome.failures.push_back(log.error().sentence());
         return outcome;
@@ -90,7 +91,7 @@ Outcome run_one(const core::Scenario& scenario, const learners::WayOut& way_out,
     outcome.virtual_s = log->end_s;
     outcome.failures = core::failures(scenario, *log, *log->scene);
     if (arguments.transcripts) {
-        if (const auto written = write_transcript(*arguments.transcripts, scenario, way_out, *log); !written)
+        if (const auto written = write_transcript(*arguments.transcripts, scenario, export_gate, *log); !written)
             outcome.failures.push_back(written.error().sentence());
     }
     return outcome;
@@ -120,15 +121,16 @@ std::string junit_xml(const std::vector<Outcome>& outcomes) {
 
 // Writes the JUnit file. Scenarios may come from recorded sessions, so the file belongs to all learners whose scenarios
 // ran.
-Result<void> write_junit(const fs::path& file, const std::string& xml, const std::vector<learners::WayOut>& ways_out) {
+Result<void> write_junit(const fs::path& file, const std::string& xml,
+                         const std::vector<learners::ExportGate>& export_gates) {
     Result<void> written = {};
     bool of_learners = false;
-    for (const learners::WayOut& way_out : ways_out)
-        if (written) written = way_out.allows(file);
-    for (const learners::WayOut& way_out : ways_out) {
-        if (!written || !way_out.learner()) continue;
+    for (const learners::ExportGate& export_gate : export_gates)
+        if (written) written = export_gate.allows(file);
+    for (const learners::ExportGate& export_gate : export_gates) {
+        if (!written || !export_gate.learner()) continue;
         of_learners = true;
-        written = way_out.write(file, xml, write_named_file_atomically);
+        written = export_gate.write(file, xml, write_named_file_atomically);
     }
     return of_learners || !written ? written : write_named_file_atomically(file, xml);
 }
@@ -143,7 +145,7 @@ int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::os
     }
     // Read all files before running any scenario, so that no scenario has run if one of the files is bad.
     std::vector<core::Scenario> scenarios;
-    std::vector<learners::WayOut> ways_out;
+    std::vector<learners::ExportGate> export_gates;
     const learners::Learners learners(core::user_data_folder());
     for (const fs::path& file : *files) {
         auto scenario = core::read_scenario(file, {world_folder()});
@@ -151,18 +153,18 @@ int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::os
             fmt::print(err, "{}\n", scenario.error().sentence());
             return 2;
         }
-        auto way_out = learners::WayOut::of(learners, file);
-        if (!way_out) {
-            fmt::print(err, "{}\n", way_out.error().sentence());
+        auto export_gate = learners::ExportGate::of(learners, file);
+        if (!export_gate) {
+            fmt::print(err, "{}\n", export_gate.error().sentence());
             return 2;
         }
         scenarios.push_back(std::move(*scenario));
-        ways_out.push_back(std::move(*way_out));
+        export_gates.push_back(std::move(*export_gate));
     }
     std::vector<Outcome> outcomes;
     for (std::size_t i = 0; i < scenarios.size(); ++i) {
         progress.at(phrase("progress.scenario", {{"title", scenarios[i].title}}));
-        outcomes.push_back(run_one(scenarios[i], ways_out[i], arguments));
+        outcomes.push_back(run_one(scenarios[i], export_gates[i], arguments));
         progress.done();
         const Outcome& o = outcomes.back();
         fmt::print(out, "{}\n",
@@ -177,7 +179,7 @@ int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::os
                phrase("program.scenarios_hold",
                       {{"hold", outcomes.size() - static_cast<std::size_t>(failed)}, {"all", outcomes.size()}}));
     if (arguments.junit) {
-        if (const auto written = write_junit(*arguments.junit, junit_xml(outcomes), ways_out); !written) {
+        if (const auto written = write_junit(*arguments.junit, junit_xml(outcomes), export_gates); !written) {
             fmt::print(err, "{}\n", written.error().sentence());
             return 1;
         }

@@ -21,14 +21,14 @@ SessionRecording::SessionRecording(const ExploreArguments& arguments, const sett
         return;
     }
     recorder_ = std::move(*begun);
-    arrivals_.emplace([this](std::uint64_t asked) { note("came", asked); });
+    arrivals_.emplace([this](std::uint64_t requested) { note("came", requested); });
     news.push_back(phrase("recording.begun"));
 }
 
 void SessionRecording::listen_to(core::Session& app) {
     if (!recorder_) return;
-    app.tell_inputs({[this](const core::SessionInput& input, double now_s) { recorder_->input(input, now_s); },
-                     [this] { recorder_->not_taken(); }});
+    app.add_input_listener({[this](const core::SessionInput& input, double now_s) { recorder_->input(input, now_s); },
+                            [this] { recorder_->not_taken(); }});
 }
 
 sinks::SoundOutputs SessionRecording::noted(sinks::SoundOutputs outputs) {
@@ -40,7 +40,7 @@ sinks::SoundOutputs SessionRecording::noted(sinks::SoundOutputs outputs) {
 
 void SessionRecording::listen_to(cues::AudioThread& sound) {
     if (!recorder_) return;
-    sound.tell_steps(
+    sound.set_step_listener(
         {[this](double now_s) { steps_->begin(now_s); },
          [this](const cues::AudioThread::Step& step) {
              recorder_->cue_step({step.now_s, step.contacts, step.left_contacts, step.posts, steps_->end()});

@@ -8,7 +8,7 @@
 #include "app/core/whereabouts/rooms_of_world.h"
 #include "app/core/world/body_heights.h"
 #include "app/core/world/walker.h"
-#include "app/core/world/wall_beside.h"
+#include "app/core/world/wall_at_side.h"
 #include "app/results/measures.h"
 #include "app/results/strategy.h"
 #include "worlds/base/language.h"
@@ -24,8 +24,8 @@ constexpr std::size_t kMostContacts = 20, kMostLines = 400;
 
 // ---- the walked path ----
 
-std::vector<results::WayPoint> way_of(const record::Recording& recording, const record::RecordedEvents& events) {
-    std::vector<results::WayPoint> walk;
+std::vector<results::WalkedPoint> way_of(const record::Recording& recording, const record::RecordedEvents& events) {
+    std::vector<results::WalkedPoint> walk;
     Vec3 before(0.0);
     bool leap = false, first = true;
     std::size_t leaps = 0;
@@ -45,9 +45,11 @@ std::vector<results::WayPoint> way_of(const record::Recording& recording, const 
     return walk;
 }
 
-std::span<const results::WayPoint> between_times(std::span<const results::WayPoint> walk, double from_s, double to_s) {
+std::span<const results::WalkedPoint> between_times(std::span<const results::WalkedPoint> walk, double from_s,
+                                                    double to_s) {
     const auto at = [&](double t_s) {
-        return std::partition_point(walk.begin(), walk.end(), [&](const results::WayPoint& p) { return p.t_s < t_s; });
+        return std::partition_point(walk.begin(), walk.end(),
+                                    [&](const results::WalkedPoint& p) { return p.t_s < t_s; });
     };
     return {at(from_s), at(to_s + 1e-9)};
 }
@@ -57,15 +59,15 @@ bool any_near(std::span<const double> times_s, double t_s) {
                        [&](double one_s) { return std::abs(one_s - t_s) <= 0.5 * kSample_s; });
 }
 
-std::vector<results::WalkSample> samples_of(std::span<const results::WayPoint> walk,
+std::vector<results::WalkSample> samples_of(std::span<const results::WalkedPoint> walk,
                                             const record::RecordedEvents& events,
                                             const std::shared_ptr<const Scene>& scene) {
     const core::WalkerWorld solids(scene);
     std::vector<results::WalkSample> samples;
     std::size_t contact = 0, visit = 0;
-    for (const results::WayPoint& point : walk) {
+    for (const results::WalkedPoint& point : walk) {
         results::WalkSample sample{.t_s = point.t_s, .place_m = point.place_m};
-        sample.wall_m = core::wall_beside_m(solids, point.place_m);
+        sample.wall_m = core::wall_at_side_m(solids, point.place_m);
         for (; contact < events.contacts.size() && events.contacts[contact].t_s <= point.t_s; ++contact) {
             const record::RecordedContact& met = events.contacts[contact];
             const Feature* feature = scene->find(FeatureId{met.feature});
@@ -99,19 +101,19 @@ std::vector<report::ReportStrategy> strategies_of(std::span<const results::WalkS
         const double end_s = i + 1 < windows.size() ? windows[i + 1].to_s : to_s;
         seconds[static_cast<std::size_t>(windows[i].kind)] += std::max(0.0, end_s - begin_s);
     }
-    std::vector<report::ReportStrategy> told;
+    std::vector<report::ReportStrategy> listed;
     for (const auto& [kind, key] : kKeys)
-        if (const double s = seconds[static_cast<std::size_t>(kind)]; s > 0.0) told.push_back({key, s});
-    return told;
+        if (const double s = seconds[static_cast<std::size_t>(kind)]; s > 0.0) listed.push_back({key, s});
+    return listed;
 }
 
 std::vector<report::ReportContact> contacts_of(const record::RecordedEvents& events, const Scene& scene) {
     std::map<std::uint32_t, std::pair<report::ReportContact, std::vector<results::Touch>>> by_thing;
     for (const record::RecordedContact& met : events.contacts) {
         if (!scene.find(FeatureId{met.feature})) continue;
-        auto& [told, touches] = by_thing[met.feature];
-        told.place_m = {met.at_m.x, met.at_m.y};
-        told.name = core::sentence_case(spoken_name(scene.features[met.feature]));
+        auto& [listed, touches] = by_thing[met.feature];
+        listed.place_m = {met.at_m.x, met.at_m.y};
+        listed.name = core::sentence_case(spoken_name(scene.features[met.feature]));
         touches.push_back({met.t_s, met.feature});
     }
     std::vector<report::ReportContact> contacts;
@@ -130,7 +132,7 @@ int count_between(std::span<const double> times_s, double from_s, double to_s) {
         std::count_if(times_s.begin(), times_s.end(), [&](double t_s) { return t_s >= from_s && t_s <= to_s; }));
 }
 
-void add_pauses(report::ReportTask& task, std::span<const results::WayPoint> walk,
+void add_pauses(report::ReportTask& task, std::span<const results::WalkedPoint> walk,
                 const record::RecordedEvents& events) {
     std::vector<results::Span> busy;
     for (const record::RecordedSpan& span : events.busy) busy.push_back({span.from_s, span.to_s});
@@ -139,7 +141,7 @@ void add_pauses(report::ReportTask& task, std::span<const results::WayPoint> wal
     task.measures.push_back({"pause_time", pauses.sum_s});
 }
 
-report::ReportTask task_of(const record::RecordedRoute& way, double to_s, std::span<const results::WayPoint> all,
+report::ReportTask task_of(const record::RecordedRoute& way, double to_s, std::span<const results::WalkedPoint> all,
                            const record::RecordedEvents& events, navigation::Navigation& navigation) {
     report::ReportTask task{
         .kind = report::ReportTaskKind::Go, .name = way.goal, .reached = way.arrived_s.has_value(), .measures = {}};
@@ -149,8 +151,8 @@ report::ReportTask task_of(const record::RecordedRoute& way, double to_s, std::s
     if (!walk.empty() && task.reached == true) {
         const navigation::Route shortest = navigation.plan(walk.front().place_m, walk.back().place_m);
         if (shortest.reaches) {
-            if (const auto ratio =
-                    results::path_ratio(results::way_walked_m(walk), results::level_way_m(shortest.points_m), true))
+            if (const auto ratio = results::path_ratio(results::walked_length_m(walk),
+                                                       results::level_length_m(shortest.points_m), true))
                 task.measures.push_back({"path_ratio", *ratio});
             const results::TurnsMet turns = results::turns_met(shortest.points_m, walk);
             task.measures.push_back({"turns_missed", static_cast<double>(turns.missed)});
@@ -170,7 +172,7 @@ report::ReportTask task_of(const record::RecordedTask& done) {
          {"point", report::ReportTaskKind::Point},
          {"distance", report::ReportTaskKind::Distance},
          {"order", report::ReportTaskKind::Order},
-         {"ask", report::ReportTaskKind::Ask}}};
+         {"ask", report::ReportTaskKind::Question}}};
     report::ReportTask task{.kind = report::ReportTaskKind::Free, .name = done.name, .reached = {}, .measures = {}};
     for (const auto& [word, kind] : kKinds)
         if (done.kind == word) task.kind = kind;
@@ -181,10 +183,10 @@ report::ReportTask task_of(const record::RecordedTask& done) {
 }
 
 // Adds the rooms through which the person walked, and the walked path on `storey`.
-void add_rooms(report::SessionReport& report, std::span<const results::WayPoint> walk,
+void add_rooms(report::SessionReport& report, std::span<const results::WalkedPoint> walk,
                const navigation::RoomGraph& graph, const navigation::WalkSpace& space, int storey) {
     bool on_plan = false;
-    for (const results::WayPoint& point : walk) {
+    for (const results::WalkedPoint& point : walk) {
         const std::uint32_t room = navigation::room_at(graph, space, point.place_m);
         const bool was = on_plan;
         if (room != navigation::kNothing) {
@@ -196,7 +198,7 @@ void add_rooms(report::SessionReport& report, std::span<const results::WayPoint>
         const Vec2 at(point.place_m.x, point.place_m.y);
         if (!was || point.leap) report.ways_m.emplace_back();
         std::vector<Vec2>& way = report.ways_m.back();
-        if (way.empty() || glm::length(at - way.back()) >= results::kWaySpacing_m) way.push_back(at);
+        if (way.empty() || glm::length(at - way.back()) >= results::kPointSpacing_m) way.push_back(at);
     }
 }
 
@@ -216,7 +218,7 @@ std::vector<report::ReportEvent> course_of(const record::Recording& recording, c
     return course;
 }
 
-report::ReportTask whole(const record::RecordedEvents& events, std::span<const results::WayPoint> walk) {
+report::ReportTask whole(const record::RecordedEvents& events, std::span<const results::WalkedPoint> walk) {
     report::ReportTask task{.kind = report::ReportTaskKind::Free, .name = {}, .reached = {}, .measures = {}};
     std::vector<results::Touch> touches;
     for (const record::RecordedContact& met : events.contacts) touches.push_back({met.t_s, met.feature});
@@ -231,8 +233,8 @@ report::ReportTask whole(const record::RecordedEvents& events, std::span<const r
 
 Result<report::SessionReport> report_of(const record::Recording& recording, const record::RecordedEvents& events,
                                         const std::shared_ptr<const Scene>& scene, core::RoomsKept* rooms_kept) {
-    const core::WalkerSize size = core::body_size(*scene, settings::Settings{}.walk.body_radius_m);
-    core::RoomsOfWorld rooms(scene, navigation::walk_body(*scene, size.radius_m, size.height_m, size.step_up_m),
+    const core::WalkerSize size = core::walker_size(*scene, settings::Settings{}.walk.body_radius_m);
+    core::RoomsOfWorld rooms(scene, navigation::walker_measures(*scene, size.radius_m, size.height_m, size.step_up_m),
                              at_once(), core::RoutesKeeper{}, rooms_kept);
     if (!rooms.ready() || !rooms.found())
         return fail(rooms.problem().empty() ? phrase("export.no_rooms") : rooms.problem(), scene->source_file);
@@ -240,7 +242,7 @@ Result<report::SessionReport> report_of(const record::Recording& recording, cons
     report.started_utc = recording.head.begun_utc;
     report.world = spoken_name(*scene);
     report.seconds = events.to_s - events.from_s;
-    const std::vector<results::WayPoint> walk = way_of(recording, events);
+    const std::vector<results::WalkedPoint> walk = way_of(recording, events);
     report.tasks.push_back(whole(events, walk));
     report.lesson = events.lesson;
     for (const record::RecordedTask& task : events.tasks) report.tasks.push_back(task_of(task));
@@ -257,7 +259,7 @@ Result<report::SessionReport> report_of(const record::Recording& recording, cons
     for (const record::RecordedNote& note : events.notes)
         if (note.t_s >= events.from_s && note.t_s <= events.to_s)
             report.notes.push_back({note.t_s - events.from_s, note.text});
-    report.walked_m = results::way_walked_m(walk);
+    report.walked_m = results::walked_length_m(walk);
     const navigation::WalkSpace& space = rooms.navigation().space();
     const int storey = plan::storey_of_start(*scene, rooms.graph(), space);
     add_rooms(report, walk, rooms.graph(), space, storey);

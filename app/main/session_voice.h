@@ -12,13 +12,13 @@ namespace handrail::program {
 class SessionVoice {
 public:
     // The clock must outlive this object.
-    SessionVoice(Clock& clock, std::function<void(std::string text, double asked_s)> speak)
+    SessionVoice(Clock& clock, std::function<void(std::string text, double requested_s)> speak)
         : clock_(clock), speak_(std::move(speak)) {}
 
     void operator()(std::string text) const { speak_(std::move(text), clock_.now_s()); }
-    // Speaks a sentence. Sentences with the same `asked_s` form one reply: each waits for the one before. A sentence
-    // with another `asked_s` interrupts them.
-    void operator()(std::string text, double asked_s) const { speak_(std::move(text), asked_s); }
+    // Speaks a sentence. Sentences with the same `requested_s` form one reply: each waits for the one before. A
+    // sentence with another `requested_s` interrupts them.
+    void operator()(std::string text, double requested_s) const { speak_(std::move(text), requested_s); }
 
 private:
     Clock& clock_;

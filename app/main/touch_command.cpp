@@ -11,7 +11,7 @@
 
 #include "app/core/kept/side_file.h"
 #include "app/core/world/entering.h"
-#include "app/learners/way_out.h"
+#include "app/learners/export_gate.h"
 #include "app/main/commands.h"
 #include "app/main/path_csv.h"
 #include "app/main/world_files.h"
@@ -112,7 +112,7 @@ public:
                  double ceiling_n)
         : scene_(world.moves_freely), engine_(scene_) {
         feel_.world_m_per_hand_m = tuning.world_m_per_hand_m;
-        feel_.ball_m = tuning.radius_m;
+        feel_.proxy_radius_m = tuning.radius_m;
         feel_.ceiling_n = ceiling_n;
         feel_.felt_gain = servo::felt_gain(ceiling_n, settings::Settings().dynamics.strength_n);
         bodies_.enter(scene_.get());
@@ -130,7 +130,7 @@ public:
         const double wanted_n = glm::length(touched.force_n), step_s = std::min(dt_s, kMostReact_s);
         bodies_.react(touched, wanted_n > feel_.ceiling_n ? feel_.ceiling_n / wanted_n : 1.0, now_s_, step_s, feel_,
                       pushes_);
-        engine_.place_hand(0, {hand_m, feel_.ball_m, true});
+        engine_.place_hand(0, {hand_m, feel_.proxy_radius_m, true});
         for (render::HandPush push; pushes_.pop(push);) engine_.push(0, push);
         now_s_ += std::min(dt_s, kMostGap_s);
         while (engine_.time_s() + dynamics::Dynamics::kStep_s <= now_s_) {
@@ -234,9 +234,9 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err,
     });
     if (!scene) return refuse(scene.error());
     const learners::Learners learners(core::user_data_folder());
-    Result<learners::WayOut> way_out = learners::WayOut::of(learners, arguments.path_csv);
-    if (way_out && !way_out->learner()) way_out = learners::WayOut::of(learners, *world);
-    if (!way_out) return refuse(way_out.error());
+    Result<learners::ExportGate> export_gate = learners::ExportGate::of(learners, arguments.path_csv);
+    if (export_gate && !export_gate->learner()) export_gate = learners::ExportGate::of(learners, *world);
+    if (!export_gate) return refuse(export_gate.error());
     const Result<std::string> text = read_whole_file(arguments.path_csv);
     if (!text) return refuse(text.error());
     const Result<std::vector<PathRow>> rows = parse_path(*text, arguments.path_csv.filename().string());
@@ -244,7 +244,7 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err,
     progress.at(phrase("progress.path"));
     const std::string result = replay(std::make_shared<const Scene>(std::move(*scene)), *rows,
                                       tuning_of(arguments, limits ? *limits : device::ideal_device_spec()), limits);
-    const Result<void> written = way_out->write(arguments.out_csv, result, write_named_file_atomically);
+    const Result<void> written = export_gate->write(arguments.out_csv, result, write_named_file_atomically);
     progress.done();
     return written ? 0 : refuse(written.error());
 }

@@ -66,10 +66,10 @@ void TypedKeys::take(double now_s, wizard::WizardSession* wizard) {
 void TypedKeys::take_input(const terminal::TimedInput& came, wizard::WizardSession* wizard, double now_s) {
     // The line was for the answer to a question. Another input has answered the question, or left it, so close the
     // line.
-    if (editor_.is_open() && answers_ && !asked(wizard)) show(editor_.close());
+    if (editor_.is_open() && answers_ && !question_open(wizard)) show(editor_.close());
     if (!editor_.is_open()) {
         const terminal::TerminalInput& input = came.input;
-        if (asked(wizard) && (!input.text.empty() || input.key == "Enter" || input.key == "Backspace")) {
+        if (question_open(wizard) && (!input.text.empty() || input.key == "Enter" || input.key == "Backspace")) {
             answers_ = true;
             show(editor_.open());
         } else if (input.pasted || input.text == ":") {
@@ -87,10 +87,11 @@ bool TypedKeys::take_into_line(const terminal::TerminalInput& input, wizard::Wiz
     show(reply.echo);
     for (std::string& line : reply.lines) {
         // Apply the answer to a question at once; other lines wait until a walk ends.
-        if (asked(wizard)) app_.apply(core::LineTyped{line}, now_s);
+        if (question_open(wizard)) app_.apply(core::LineTyped{line}, now_s);
         else lines_.lines().add(std::move(line));
     }
-    if (reply.left && answers_ && asked(wizard)) acts_.take({"Escape", window::KeyAction::Press}, wizard, now_s);
+    if (reply.left && answers_ && question_open(wizard))
+        acts_.take({"Escape", window::KeyAction::Press}, wizard, now_s);
     return reply.taken;
 }
 

@@ -36,7 +36,7 @@ private:
     void take_input(const terminal::TimedInput& came, wizard::WizardSession* wizard, double now_s);
     bool take_into_line(const terminal::TerminalInput& input, wizard::WizardSession* wizard, double now_s);
     void take_key(const terminal::TimedInput& came, wizard::WizardSession* wizard, double now_s);
-    bool asked(const wizard::WizardSession* wizard) const { return !wizard && app_.dialogue().typing(); }
+    bool question_open(const wizard::WizardSession* wizard) const { return !wizard && app_.dialogue().typing(); }
 
     core::Session& app_;
     KeyActs acts_;

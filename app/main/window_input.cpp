@@ -22,7 +22,7 @@ WindowInput::WindowInput(std::unique_ptr<window::Window> window, core::Session& 
 void WindowInput::take(wizard::WizardSession* wizard) {
     const double now_s = clock_.now_s();
     // If a routing key of the braille display was pressed, request more about the current object.
-    if (ears_.braille()->more_asked.exchange(0) > 0 && !wizard && app_.scene()) {
+    if (ears_.braille()->more_requested.exchange(0) > 0 && !wizard && app_.scene()) {
         app_.apply(core::CommandDown{core::Command::WhatIsThis}, now_s);
         app_.apply(core::CommandUp{core::Command::WhatIsThis}, now_s);
     }

@@ -95,7 +95,7 @@ Result<Scene> imported_scene(const core::WorldRequest& request) {
     return std::move(world->scene);
 }
 
-const settings::TomlReader& toml_beside_worlds() {
+const settings::TomlReader& toml_next_to_worlds() {
     static const settings::TomlReader reader = [] {
         const fs::path program = importing::find_reader_program();
         return program.empty() ? settings::TomlReader(settings::toml_of)
@@ -104,7 +104,7 @@ const settings::TomlReader& toml_beside_worlds() {
     return reader;
 }
 
-core::RoutesKeeper ways_in_cache() {
+core::RoutesKeeper navigation_in_cache() {
     const cache::Cache cache(cache::user_cache_folder());
     const fs::path program = importing::find_reader_program();
     if (!cache || program.empty()) return {};
@@ -112,14 +112,14 @@ core::RoutesKeeper ways_in_cache() {
     return {[=](const std::string& key, const std::stop_token& stop) {
                 const Descriptor file = cache.open(name_of(key));
                 return file.get() < 0 ? std::string()
-                                      : importing::unpack_ways_apart({file.get(), name_of(key)}, program, stop);
+                                      : importing::unpack_navigation_apart({file.get(), name_of(key)}, program, stop);
             },
             [=](const std::string& key, std::string_view packed) { cache.keep(name_of(key), packed); }};
 }
 
 Scene mended(Scene scene, const fs::path& world, const CommonArguments& common) {
     const std::vector<MadeDoor> doors = core::kept_doors(
-        kept_by(world), common.data_folder(), !common.data_in.empty() || is_shipped(world), toml_beside_worlds());
+        kept_by(world), common.data_folder(), !common.data_in.empty() || is_shipped(world), toml_next_to_worlds());
     return doors.empty() ? std::move(scene) : with_made_doors(std::move(scene), doors);
 }
 
@@ -138,7 +138,7 @@ fs::path CommonArguments::data_folder() const { return data_in.empty() ? core::u
 core::WorldRequest with_kept_unit(core::WorldRequest request, const CommonArguments& common) {
     if (!request.unit_m && !request.map_scale_m_per_unit)
         request.unit_m = core::kept_unit(kept_by(request.file), common.data_folder(),
-                                         !common.data_in.empty() || is_shipped(request.file), toml_beside_worlds());
+                                         !common.data_in.empty() || is_shipped(request.file), toml_next_to_worlds());
     return request;
 }
 

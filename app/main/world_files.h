@@ -40,10 +40,10 @@ Result<importing::ImportedWorld> imported(const std::filesystem::path& world, co
 Result<Scene> imported_scene(const core::WorldRequest& request);
 // Returns a reader for the TOML files next to a world, which somebody else may have written. It parses them in a
 // separate process with TomlApart, or in this process if handrail-reader is missing. Any thread may use it.
-const settings::TomlReader& toml_beside_worlds();
+const settings::TomlReader& toml_next_to_worlds();
 // Returns an object that keeps routes and rooms in the person's cache. The object does nothing if there is no cache. It
 // also does nothing if handrail-reader is missing, because handrail-reader unpacks routes and rooms.
-core::RoutesKeeper ways_in_cache();
+core::RoutesKeeper navigation_in_cache();
 // If the request contains no unit, returns it with the unit that a person has stated for this world before. See
 // keep_unit. Any thread may call it.
 core::WorldRequest with_kept_unit(core::WorldRequest request, const CommonArguments& common);

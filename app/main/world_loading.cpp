@@ -11,8 +11,8 @@ namespace handrail::program {
 
 settings::SettingsStore settings_of(const core::WorldRequest& request, std::vector<Diagnostic>& problems) {
     settings::SettingsStore settings;
-    problems = settings.load_file(settings::settings_beside(request.file), settings::SettingSource::World,
-                                  toml_beside_worlds());
+    problems = settings.load_file(settings::settings_next_to(request.file), settings::SettingSource::World,
+                                  toml_next_to_worlds());
     for (const auto& [key, value] : request.settings)
         if (const auto set = settings.set(key, value, settings::SettingSource::World); !set)
             problems.push_back({Severity::Error, {}, 0, 0, set.error().message, {}});
@@ -23,7 +23,7 @@ WorldLoading::WorldLoading(const core::WorldRequest& request, const CommonArgume
     : file_(request.file.filename().string()) {
     task_.begin([this, request, common](const std::stop_token& stop) -> Result<LoadedWorld> {
         LoadedWorld loaded;
-        loaded.asked = request;
+        loaded.requested = request;
         loaded.request = with_kept_unit(request, common);
         const std::filesystem::path& path = request.file;
         readers::ReadOptions options = progress_.followed(core::read_options(loaded.request));
@@ -33,7 +33,7 @@ WorldLoading::WorldLoading(const core::WorldRequest& request, const CommonArgume
         progress_.reading("import.touch");
         loaded.entering = core::make_ready_to_touch(
             std::make_shared<const Scene>(mended(std::move(world->scene), path, common)), stop);
-        loaded.entering.ways = ways_in_cache();
+        loaded.entering.ways = navigation_in_cache();
         loaded.settings = settings_of(loaded.request, loaded.settings_problems);
         std::error_code ec;
         read_lessons_ahead(std::filesystem::absolute(path, ec), stop);

@@ -18,8 +18,8 @@ namespace handrail::program {
 // The loaded world, the request by which it was read, and the settings that it brings.
 struct LoadedWorld {
     core::EnteringWorld entering;
-    core::WorldRequest asked;
-    core::WorldRequest request;        // the same as `asked`, with the unit that a person has stated before
+    core::WorldRequest requested;
+    core::WorldRequest request;        // the same as `requested`, with the unit that a person has stated before
     settings::SettingsStore settings;  // only the settings of SettingSource::World
     std::vector<Diagnostic> settings_problems;
 };
@@ -34,7 +34,9 @@ public:
 
     bool ready() const { return task_.ready(); }
     // Calls `say` with the sentence that is due, such as "Loading, 40 percent: building walls and floors."
-    void tell(double now_s, const std::function<void(const std::string&)>& say) const { progress_.tell(now_s, say); }
+    void report(double now_s, const std::function<void(const std::string&)>& say) const {
+        progress_.report(now_s, say);
+    }
     // Returns the world once, when it is ready. Fails as read_world does, and also if there was not enough memory.
     Result<LoadedWorld> take();
 

@@ -56,10 +56,11 @@ void WorldVisits::begin_notes(double now_s) {
                                                 {"told", core::may_be_reported(row.value, row.range) ? "yes" : "no"}}));
     notes_.emplace(std::move(lines));
     crash_signal_.emplace(trace_.signal_file());
-    app_.tell_inputs({[this](const core::SessionInput& input, double at_s) {
-                          if (const std::string_view word = act_word(input); !word.empty()) notes_->note(word, at_s);
-                      },
-                      {}});
+    app_.add_input_listener({[this](const core::SessionInput& input, double at_s) {
+                                 if (const std::string_view word = act_word(input); !word.empty())
+                                     notes_->note(word, at_s);
+                             },
+                             {}});
     keep_notes(now_s);
 }
 
@@ -97,13 +98,13 @@ core::WorldRequest WorldVisits::first() const {
 
 // Replaces the settings of the previous world by those of the new one.
 void WorldVisits::take_settings(settings::SettingsStore settings, const std::vector<Diagnostic>& problems,
-                                double asked_s) {
+                                double requested_s) {
     settings_.take_layer(settings::SettingSource::World, std::move(settings));
     new_settings_ = true;
     std::vector<std::string> faults = sentences_of(problems);
-    if (!faults.empty()) say_(settings_faults_words(faults), asked_s);
+    if (!faults.empty()) say_(settings_faults_words(faults), requested_s);
     for (std::string& sentence : sentences_of(arguments_.settings_problems)) faults.push_back(std::move(sentence));
-    app_.apply(core::SettingsFaultsKnown{std::move(faults)}, asked_s);
+    app_.apply(core::SettingsFaultsKnown{std::move(faults)}, requested_s);
 }
 
 void WorldVisits::set_lesson_settings(std::vector<std::pair<std::string, std::string>> settings, double now_s) {
@@ -115,36 +116,36 @@ void WorldVisits::set_lesson_settings(std::vector<std::pair<std::string, std::st
     app_.apply(core::SettingsChanged{settings_.values()}, now_s);
 }
 
-void WorldVisits::enter(LoadedWorld world, double asked_s) {
+void WorldVisits::enter(LoadedWorld world, double requested_s) {
     const std::shared_ptr<const Scene> file = world.entering.file;
     core::SideFile side_file = additions_to(world.request.file);
     // If the command line states a unit, store it. Later sessions without that option use the stored unit.
-    if (world.asked.unit_m) {
-        core::keep_unit(side_file, *world.asked.unit_m);
-        if (const auto saved = side_file.save(); !saved) say_(saved.error().sentence(), asked_s);
+    if (world.requested.unit_m) {
+        core::keep_unit(side_file, *world.requested.unit_m);
+        if (const auto saved = side_file.save(); !saved) say_(saved.error().sentence(), requested_s);
     }
     // For a learner, delete progress that was stored without consent, or before the consent was withdrawn.
     if (!arguments_.common.data_in.empty()) {
         core::set_remembers(side_file, arguments_.remember);
-        if (const auto saved = side_file.save(); !saved) say_(saved.error().sentence(), asked_s);
+        if (const auto saved = side_file.save(); !saved) say_(saved.error().sentence(), requested_s);
     }
     std::error_code ec;
-    here_ = std::move(world.asked);
+    here_ = std::move(world.requested);
     here_.file = std::filesystem::absolute(here_.file, ec);
     here_.unit_m.reset();
     world.request.file = here_.file;
-    watch_.begin(here_.file, asked_s);
-    take_settings(std::move(world.settings), world.settings_problems, asked_s);
+    watch_.begin(here_.file, requested_s);
+    take_settings(std::move(world.settings), world.settings_problems, requested_s);
     app_.apply(core::WorldEntered{std::move(world.entering), std::move(side_file), std::move(world.request),
                                   settings_.values()},
-               asked_s);
+               requested_s);
     // The problems of the file come after the name of the building.
     if (const ReadReport& report = file->report; report.warnings_in_all > 0)
         say_(phrase("program.problems",
                     {{"count", report.warnings_in_all}, {"first", report.warnings.front().sentence()}}),
-             asked_s);
+             requested_s);
     recent_.add(here_.file);
-    app_.apply(core::WorldsKnown{{world_folder(), recent_.worlds()}}, asked_s);
+    app_.apply(core::WorldsKnown{{world_folder(), recent_.worlds()}}, requested_s);
 }
 
 // Returns the person's additions to the world. Those of a learner are in the learner's own folder, and begin as a copy
@@ -152,7 +153,7 @@ void WorldVisits::enter(LoadedWorld world, double asked_s) {
 core::SideFile WorldVisits::additions_to(const std::filesystem::path& path) const {
     const std::filesystem::path kept = kept_by(path);
     if (arguments_.common.data_in.empty())
-        return core::SideFile::of_world(kept, core::user_data_folder(), is_shipped(path), toml_beside_worlds());
+        return core::SideFile::of_world(kept, core::user_data_folder(), is_shipped(path), toml_next_to_worlds());
     std::error_code ec;
     const std::filesystem::path own = core::SideFile::path_of(kept, arguments_.common.data_in, true),
                                 of_all = core::SideFile::path_of(kept, core::user_data_folder(), is_shipped(path));
@@ -160,12 +161,12 @@ core::SideFile WorldVisits::additions_to(const std::filesystem::path& path) cons
         std::filesystem::create_directories(own.parent_path(), ec);
         std::filesystem::copy_file(of_all, own, ec);  // if copying fails, the learner begins without additions
     }
-    return core::SideFile::of_world(kept, arguments_.common.data_in, true, toml_beside_worlds());
+    return core::SideFile::of_world(kept, arguments_.common.data_in, true, toml_next_to_worlds());
 }
 
 void WorldVisits::begin_reading(core::WorldRequest request) {
-    asked_ = std::move(request);
-    next_ = std::make_unique<WorldLoading>(asked_, arguments_.common);
+    requested_ = std::move(request);
+    next_ = std::make_unique<WorldLoading>(requested_, arguments_.common);
 }
 
 // Leads the person to `last`. If that place is in another world, reads that world first.
@@ -179,7 +180,7 @@ void WorldVisits::go_on_at(core::LastPlace last, double now_s) {
 
 void WorldVisits::change(double now_s) {
     if (auto wanted = app_.requests().take_world()) {
-        if (next_) return say_(phrase("program.still_read", {{"world", core::name_of_file(asked_.file)}}));
+        if (next_) return say_(phrase("program.still_read", {{"world", core::name_of_file(requested_.file)}}));
         // The scale from the command line applies to every map.
         wanted->map_scale_m_per_unit = arguments_.common.map_scale_m_per_unit;
         begin_reading(std::move(*wanted));
@@ -190,7 +191,7 @@ void WorldVisits::change(double now_s) {
     }
     if (auto last = app_.requests().take_last_place(); last && !next_) go_on_at(std::move(*last), now_s);
     if (!next_) return watch_file(now_s);
-    if (!next_->ready()) return next_->tell(now_s, [this](const std::string& words) { say_(words); });
+    if (!next_->ready()) return next_->report(now_s, [this](const std::string& words) { say_(words); });
     auto world = next_->take();
     next_.reset();
     const auto place = std::exchange(next_place_, std::nullopt);
@@ -206,7 +207,7 @@ void WorldVisits::change(double now_s) {
 void WorldVisits::watch_file(double now_s) {
     const WorldWatch::News news = watch_.look(now_s);
     if (news == WorldWatch::News::None) return;
-    say_(phrase(news == WorldWatch::News::Gone ? "program.world_gone" : "program.world_changed",
+    say_(phrase(news == WorldWatch::News::Removed ? "program.world_gone" : "program.world_changed",
                 {{"file", here_.file.filename().string()}}),
          now_s);
 }
@@ -215,7 +216,8 @@ bool WorldVisits::give_up_reading(double now_s) {
     if (!next_) return false;
     next_.reset();  // waits for the loading thread, which checks the stop request many times a second
     next_place_.reset();
-    say_(phrase("program.given_up", {{"left", core::name_of_file(asked_.file)}, {"world", app_.scene()->name}}), now_s);
+    say_(phrase("program.given_up", {{"left", core::name_of_file(requested_.file)}, {"world", app_.scene()->name}}),
+         now_s);
     return true;
 }
 

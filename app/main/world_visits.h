@@ -49,8 +49,8 @@ public:
     // Returns the world that the command line requests.
     core::WorldRequest first() const;
     // Enters the world. Announces the report on the world's file, and faults of its settings and its side file, as
-    // parts of the reply of `asked_s`.
-    void enter(LoadedWorld world, double asked_s);
+    // parts of the reply of `requested_s`.
+    void enter(LoadedWorld world, double requested_s);
     // Call once a frame. If the person has requested another world, reads it while this world continues. If that world
     // cannot be read, nothing changes. The settings must already contain all changes of this session.
     void change(double now_s);
@@ -78,7 +78,7 @@ private:
     core::SideFile additions_to(const std::filesystem::path& path) const;
     void watch_file(double now_s);
     void begin_reading(core::WorldRequest request);
-    void take_settings(settings::SettingsStore settings, const std::vector<Diagnostic>& problems, double asked_s);
+    void take_settings(settings::SettingsStore settings, const std::vector<Diagnostic>& problems, double requested_s);
     void go_on_at(core::LastPlace last, double now_s);
 
     const ExploreArguments& arguments_;
@@ -98,7 +98,7 @@ private:
     std::optional<core::LastPlace> next_place_;  // where the person continues in the world that is being read
     WorldWatch watch_;
     std::unique_ptr<WorldLoading> next_;
-    core::WorldRequest asked_;  // the request for the world that is being read
+    core::WorldRequest requested_;  // the request for the world that is being read
 };
 
 }  // namespace handrail::program

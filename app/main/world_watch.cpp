@@ -25,7 +25,7 @@ WorldWatch::News WorldWatch::look(double now_s) {
     const std::optional<Stamp> before = std::exchange(seen_, stamp());
     if (seen_ != before || seen_ == known_) return News::None;
     known_ = seen_;
-    return known_ ? News::Changed : News::Gone;
+    return known_ ? News::Changed : News::Removed;
 }
 
 }  // namespace handrail::program

@@ -14,7 +14,7 @@ public:
     // From now on, compares `file` with its present state.
     void begin(const std::filesystem::path& file, double now_s);
 
-    enum class News : std::uint8_t { None, Changed, Gone };
+    enum class News : std::uint8_t { None, Changed, Removed };
     // Checks the file every kEvery_s. Reports each change or removal once, and only when two checks in a row have found
     // the same new state. So a half-written file is not reported.
     News look(double now_s);

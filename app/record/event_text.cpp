@@ -8,7 +8,7 @@ namespace handrail::record {
 namespace {
 
 constexpr std::array<const char*, 3> kVisitedBy = {"hand", "asking", "facing"};
-constexpr std::array<const char*, 4> kWishes = {"done", "more_help", "less_help", "leave"};
+constexpr std::array<const char*, 4> kRequests = {"done", "more_help", "less_help", "leave"};
 constexpr std::array<const char*, 4> kLedBy = {"hand", "lines", "ear", "beacon"};
 
 const char* word_of(core::LedBy by) { return kLedBy.at(static_cast<std::size_t>(by)); }
@@ -48,8 +48,8 @@ std::string event_line(const core::SessionEvent& event, const Scene* scene, doub
                 json["room"] = e.room;
                 return json;
             },
-            [](const core::LessonWished& e) {
-                return Json{{"is", "lesson_wished"}, {"wish", kWishes.at(static_cast<std::size_t>(e.wish))}};
+            [](const core::LessonRequested& e) {
+                return Json{{"is", "lesson_wished"}, {"wish", kRequests.at(static_cast<std::size_t>(e.request))}};
             },
             [](const core::HelpRequested& e) {
                 return Json{{"is", "help_asked"}, {"command", std::string(core::info(e.command).word)}};

@@ -203,7 +203,7 @@ Json fields_of(const core::SessionInput& input) {
             [](const core::Placed& in) {
                 return Json{{"is", "placed"}, {"feet_m", json_of_vec(in.feet_m)}, {"heading_rad", in.heading_rad}};
             },
-            [](const core::Told& in) {
+            [](const core::Announcement& in) {
                 return Json{{"is", "told"},
                             {"text", in.text},
                             {"class", kClassWords.at(static_cast<std::size_t>(in.speech_class))}};
@@ -311,8 +311,8 @@ const std::map<std::string, ReadFields, std::less<>>& readers() {
          }},
         {"told",
          [](const Json& j) -> core::SessionInput {
-             return core::Told{j.at("text").get<std::string>(),
-                               static_cast<cues::SpeechClass>(place_in(kClassWords, j.at("class")))};
+             return core::Announcement{j.at("text").get<std::string>(),
+                                       static_cast<cues::SpeechClass>(place_in(kClassWords, j.at("class")))};
          }},
         {"first_minutes",
          [](const Json& j) -> core::SessionInput {

@@ -25,11 +25,11 @@ void PlayedEars::Voice::end() {
 }
 
 std::optional<std::string> PlayedEars::Voice::news() {
-    return told.empty() ? std::nullopt : std::optional(std::exchange(told, {}));
+    return reported.empty() ? std::nullopt : std::optional(std::exchange(reported, {}));
 }
 
 std::optional<std::string> PlayedEars::Silence::news() {
-    return told.empty() ? std::nullopt : std::optional(std::exchange(told, {}));
+    return reported.empty() ? std::nullopt : std::optional(std::exchange(reported, {}));
 }
 
 void PlayedEars::Voice::keep(const cues::Utterance& utterance, bool voiced) {
@@ -73,8 +73,8 @@ void PlayedEars::follow_edit(std::shared_ptr<const Scene> scene) {
 }
 
 void PlayedEars::hear_of(std::uint64_t step, bool from_voice, std::string text) {
-    auto& told = news_[step];
-    (from_voice ? told.first : told.second) = std::move(text);
+    auto& reported = news_[step];
+    (from_voice ? reported.first : reported.second) = std::move(text);
 }
 
 // Applies the posted items in the same way as AudioThread::step applies the items of its inbox. Then computes one step.
@@ -109,7 +109,7 @@ void PlayedEars::step(const CueRow& row, std::vector<servo::ContactEvent> contac
     if (entered) planner_.enter_world(std::move(entered));
     if (edited) planner_.follow_edit(std::move(edited));
     if (const auto news = news_.find(steps_); news != news_.end())
-        voice_.told = news->second.first, sound_.told = news->second.second;
+        voice_.reported = news->second.first, sound_.reported = news->second.second;
     ++steps_;
     last_s_ = row.now_s;
     voice_.now_s = row.now_s - begun_s_;

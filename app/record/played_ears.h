@@ -42,7 +42,7 @@ private:
         int answers_left = 0;
         bool last = false;
         std::vector<SaidLine> said;
-        std::string told;  // what the voice reported about itself in this step
+        std::string reported;  // what the voice reported about itself in this step
 
         void begin(std::uint64_t speaking);
         void end();
@@ -57,7 +57,7 @@ private:
         void keep(const cues::Utterance& utterance, bool voiced);
     };
     struct Silence final : cues::AudioSink {
-        std::string told;
+        std::string reported;
         void play(const cues::SoundCue&) override {}
         void set_loop(const cues::SoundCue&) override {}
         void set_listener(const cues::Listener&) override {}

@@ -49,7 +49,7 @@ device::ForceCommand PlayedServo::tick(const servo::HandRow& row) {
 servo::ServoInbox* PlayedHand::change(const core::HandFacts& facts) {
     driven_ = facts.present;
     tool_ = {};
-    told_.clear();
+    reported_.clear();
     if (!driven_) return nullptr;
     servos_.push_back(std::make_unique<PlayedServo>(facts.spec));
     return servos_.back().get();
@@ -72,7 +72,7 @@ bool PlayedHand::step() {
             break;
         }
     bodies_.after_tick(which_, row, servo.engine());
-    if (row.servo == servos_.size()) told_.push_back(servo.state().tool());
+    if (row.servo == servos_.size()) reported_.push_back(servo.state().tool());
     for (const servo::ContactEvent& event : servo.state().events()) {
         events_.push_back(event);
         events_.back().hand = static_cast<std::uint8_t>(which_);
@@ -84,9 +84,9 @@ bool PlayedHand::run_to(std::uint64_t tick) {
     if (!driven_) return tick == 0;
     while (servos_.back()->state().tool().ticks < tick)
         if (!step()) return false;
-    while (!told_.empty() && told_.front().ticks <= tick) {
-        tool_ = told_.front();
-        told_.pop_front();
+    while (!reported_.empty() && reported_.front().ticks <= tick) {
+        tool_ = reported_.front();
+        reported_.pop_front();
     }
     return true;
 }

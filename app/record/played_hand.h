@@ -104,7 +104,7 @@ private:
     std::vector<std::unique_ptr<PlayedServo>> servos_;
     bool driven_ = false;  // true while the session has a hand
     servo::ToolState tool_;
-    std::deque<servo::ToolState> told_;  // states that the newest servo has reported since tool_
+    std::deque<servo::ToolState> reported_;  // states that the newest servo has reported since tool_
     std::deque<servo::ContactEvent> events_;
 };
 

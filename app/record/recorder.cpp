@@ -138,19 +138,19 @@ struct Recorder::State {
     struct {
         dynamics::EngineRecording recording;
         Table<EngineNumbers> table;  // the members from here on are used only by the writing thread
-        std::uint64_t told_lost = 0;
+        std::uint64_t reported_lost = 0;
     } bodies;
     std::atomic<bool> over{false};  // true once the recording has ended
 
     // Members that only the app thread uses.
-    std::uint64_t frames_told = 0;
+    std::uint64_t frames_reported = 0;
     std::uint32_t stops = 0;
     bool fresh_frame = false;  // true if nothing was recorded since the last frame
-    bool problem_told = false, ended = false;
+    bool problem_reported = false, ended = false;
 
     std::mutex mutex;  // guards the members from here to `problem`
     std::condition_variable wake;
-    bool end_asked = false;
+    bool end_requested = false;
     std::string lines;
     std::vector<FrameRow> frames;
     std::vector<CueRow> cues;
@@ -161,7 +161,7 @@ struct Recorder::State {
     std::array<Table<HandNumbers>, 2> hands;
     Table<FrameNumbers> frame_table;
     Table<CueNumbers> cue_table;
-    std::array<std::uint64_t, 2> told_lost{};
+    std::array<std::uint64_t, 2> reported_lost{};
     SteadyTime pieces_at = std::chrono::steady_clock::now(), synced_at = pieces_at;
     std::thread writer;
 
@@ -208,12 +208,12 @@ int Recorder::State::write_round(bool last) {
     for (std::size_t which = 0; which < rings.size(); ++which) {
         rings[which].rows.consume_all([&](const servo::HandRow& row) { hands[which].add(numbers_of(row)); });
         const std::uint64_t lost = rings[which].lost.load(std::memory_order_relaxed);
-        if (std::exchange(told_lost[which], lost) != lost)
+        if (std::exchange(reported_lost[which], lost) != lost)
             text += line_of({{"is", "lost_rows"}, {"hand", which}, {"rows", lost}}) + "\n";
     }
     bodies.recording.rows.consume_all([this](const dynamics::EngineRow& row) { bodies.table.add(numbers_of(row)); });
     const std::uint64_t lost_bodies = bodies.recording.lost.load(std::memory_order_relaxed);
-    if (std::exchange(bodies.told_lost, lost_bodies) != lost_bodies)
+    if (std::exchange(bodies.reported_lost, lost_bodies) != lost_bodies)
         text += line_of({{"is", "lost_rows"}, {"engine", true}, {"rows", lost_bodies}}) + "\n";
     if (const int error = events.append(text)) return error;
     if (!last && seconds_since(pieces_at) < kPieces_s) return 0;
@@ -237,8 +237,8 @@ void Recorder::State::run() {
     for (bool last = false; !last && !over;) {
         {
             std::unique_lock lock(mutex);
-            wake.wait_for(lock, std::chrono::duration<double>(kLines_s), [this] { return end_asked; });
-            last = end_asked;
+            wake.wait_for(lock, std::chrono::duration<double>(kLines_s), [this] { return end_requested; });
+            last = end_requested;
         }
         try {
             if (const int error = write_round(last)) fail_with(error);
@@ -293,7 +293,7 @@ void Recorder::input(const core::SessionInput& input, double now_s) {
         stopped && std::exchange(state_->stops, stopped->count) == stopped->count)
         return;
     state_->fresh_frame = false;
-    state_->add(input_line(input, now_s, state_->frames_told, state_->head.begun_s));
+    state_->add(input_line(input, now_s, state_->frames_reported, state_->head.begun_s));
 }
 
 void Recorder::not_taken() {
@@ -301,7 +301,7 @@ void Recorder::not_taken() {
 }
 
 void Recorder::frame(const FrameRow& row) {
-    ++state_->frames_told;
+    ++state_->frames_reported;
     state_->fresh_frame = true;
     if (state_->over) return;
     const std::lock_guard lock(state_->mutex);
@@ -311,7 +311,7 @@ void Recorder::frame(const FrameRow& row) {
 void Recorder::handed_over() {
     // After each frame, the session always hands over its results, so no line is needed.
     if (std::exchange(state_->fresh_frame, false) || state_->over) return;
-    state_->add(line_of({{"is", "handed_over"}, {"frame", state_->frames_told}}));
+    state_->add(line_of({{"is", "handed_over"}, {"frame", state_->frames_reported}}));
 }
 
 void Recorder::event(const core::SessionEvent& event, const Scene* scene) {
@@ -320,7 +320,8 @@ void Recorder::event(const core::SessionEvent& event, const Scene* scene) {
 
 void Recorder::note(const char* is, double now_s, std::uint64_t number) {
     if (state_->over) return;
-    state_->add(line_of({{"t", state_->t_ms(now_s)}, {"is", is}, {"number", number}, {"frame", state_->frames_told}}));
+    state_->add(
+        line_of({{"t", state_->t_ms(now_s)}, {"is", is}, {"number", number}, {"frame", state_->frames_reported}}));
 }
 
 void Recorder::cue_step(const CueRow& row) {
@@ -348,10 +349,10 @@ void Recorder::sink_news(double now_s, std::uint64_t step, bool from_voice, cons
 }
 
 std::optional<std::string> Recorder::take_problem() {
-    if (state_->problem_told || !state_->over) return std::nullopt;
+    if (state_->problem_reported || !state_->over) return std::nullopt;
     const std::lock_guard lock(state_->mutex);
     if (state_->problem.empty()) return std::nullopt;
-    state_->problem_told = true;
+    state_->problem_reported = true;
     return state_->problem;
 }
 
@@ -360,7 +361,7 @@ void Recorder::end(double now_s) {
     state_->add(line_of({{"t", state_->t_ms(now_s)}, {"is", "end"}}));
     {
         const std::lock_guard lock(state_->mutex);
-        state_->end_asked = true;
+        state_->end_requested = true;
     }
     state_->wake.notify_one();
     state_->writer.join();

@@ -151,7 +151,7 @@ public:
             if (const auto taken = take(line); !taken) return tl::unexpected(taken.error());
         }
         if (!entered()) return fail(phrase("replay.no_world"));
-        std::erase_if(expected_, [&](const std::string& text) { return told_by_program_.contains(text); });
+        std::erase_if(expected_, [&](const std::string& text) { return said_by_program_.contains(text); });
         if (expected_.empty()) return fail(phrase("replay.nothing_answered"));
         std::string toml = head_of(title);
         write_actions();
@@ -196,7 +196,8 @@ private:
         if (const auto* hand = std::get_if<core::HandChanged>(&input.input); hand && hand->hand.present && !entered())
             device_ = std::string(hand->hand.spec.name) == "sim-f" ? "sim-f" : "sim-t";
         // Remember what the program itself announced, because that is not an answer of the world.
-        if (const auto* told = std::get_if<core::Told>(&input.input)) told_by_program_.insert(told->text);
+        if (const auto* announcement = std::get_if<core::Announcement>(&input.input))
+            said_by_program_.insert(announcement->text);
         if (const auto* world = std::get_if<core::WorldEntered>(&input.input)) {
             if (!entered()) {
                 world_ = input.world.request;
@@ -256,7 +257,7 @@ private:
     std::string device_ = "none", acts_by_ = "window-keys";
     double last_s_ = 0.0;
     std::vector<std::string> expected_;
-    std::set<std::string> told_by_program_;
+    std::set<std::string> said_by_program_;
     bool over_ = false, expects_ = true, rooms_known_ = false;
 };
 

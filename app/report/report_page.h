@@ -27,7 +27,7 @@ struct ReportMeasure {
     double value = 0.0;
 };
 
-enum class ReportTaskKind : std::uint8_t { Go, Learn, Free, Point, Distance, Order, Ask };
+enum class ReportTaskKind : std::uint8_t { Go, Learn, Free, Point, Distance, Order, Question };
 struct ReportTask {
     ReportTaskKind kind = ReportTaskKind::Go;
     std::string name;             // the goal, the room to learn, or a question with its answer; may be empty

@@ -80,7 +80,7 @@ public:
         if (const auto kept = value("order_kept")) say(*kept > 0.99 ? "report.order_all" : "report.order_some", {});
     }
 
-    void ask() {
+    void question() {
         if (const auto answer = value("answer"))
             say("report.asked", {{"question", fmt::format("{} {}", task_.name, std::lround(*answer))}});
         else say("report.asked", {{"question", task_.name}});
@@ -115,7 +115,7 @@ std::vector<std::string> report_words(const SessionReport& report) {
         else if (task.kind == ReportTaskKind::Point) words.point();
         else if (task.kind == ReportTaskKind::Distance) words.distance();
         else if (task.kind == ReportTaskKind::Order) words.order();
-        else if (task.kind == ReportTaskKind::Ask) words.ask();
+        else if (task.kind == ReportTaskKind::Question) words.question();
     }
     const auto most =
         std::max_element(report.strategies.begin(), report.strategies.end(),

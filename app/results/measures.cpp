@@ -13,10 +13,10 @@ double flat_distance(const Vec3& a, const Vec3& b) { return std::hypot(b.x - a.x
 
 // A position relative to the line from a to b: the distance along the line from a, and the distance to the right of the
 // line.
-struct Beside {
+struct AlongLine {
     double along_m = 0.0, right_m = 0.0;
 };
-Beside beside(const Vec3& a, const Vec3& b, const Vec3& p) {
+AlongLine along_line(const Vec3& a, const Vec3& b, const Vec3& p) {
     const double length_m = flat_distance(a, b);
     const double ux = (b.x - a.x) / length_m, uy = (b.y - a.y) / length_m;
     const double px = p.x - a.x, py = p.y - a.y;
@@ -26,7 +26,7 @@ Beside beside(const Vec3& a, const Vec3& b, const Vec3& p) {
 double off_leg(const Vec3& a, const Vec3& b, const Vec3& p) {
     const double length_m = flat_distance(a, b);
     if (length_m == 0.0) return flat_distance(a, p);
-    const Beside at = beside(a, b, p);
+    const AlongLine at = along_line(a, b, p);
     return std::hypot(at.along_m - std::clamp(at.along_m, 0.0, length_m), at.right_m);
 }
 
@@ -40,23 +40,23 @@ std::vector<Vec3> legs_only(std::span<const Vec3> route_m) {
 
 }  // namespace
 
-double way_walked_m(std::span<const WayPoint> walk) {
+double walked_length_m(std::span<const WalkedPoint> walk) {
     double way_m = 0.0;
-    const WayPoint* last = nullptr;
-    for (const WayPoint& point : walk) {
+    const WalkedPoint* last = nullptr;
+    for (const WalkedPoint& point : walk) {
         if (!last || point.leap) {
             last = &point;
             continue;
         }
         const double step_m = flat_distance(last->place_m, point.place_m);
-        if (step_m < kWaySpacing_m) continue;
+        if (step_m < kPointSpacing_m) continue;
         way_m += step_m;
         last = &point;
     }
     return way_m;
 }
 
-double level_way_m(std::span<const Vec3> route_m) {
+double level_length_m(std::span<const Vec3> route_m) {
     double way_m = 0.0;
     for (std::size_t i = 1; i < route_m.size(); ++i) way_m += flat_distance(route_m[i - 1], route_m[i]);
     return way_m;
@@ -79,7 +79,7 @@ double free_s(const Span& span, std::span<const Span> busy) {
     return left_s + std::max(0.0, span.to_s - at_s);
 }
 
-Hesitations hesitations(std::span<const WayPoint> walk, std::span<const Span> busy) {
+Hesitations hesitations(std::span<const WalkedPoint> walk, std::span<const Span> busy) {
     Hesitations found;
     for (std::size_t first = 0; first < walk.size();) {
         std::size_t last = first;
@@ -150,14 +150,14 @@ std::optional<double> order_tau(std::span<const std::size_t> order) {
     return agree / (0.5 * static_cast<double>(n) * static_cast<double>(n - 1));
 }
 
-TurnsMet turns_met(std::span<const Vec3> route_m, std::span<const WayPoint> walk) {
+TurnsMet turns_met(std::span<const Vec3> route_m, std::span<const WalkedPoint> walk) {
     const std::vector<Vec3> route = legs_only(route_m);
     TurnsMet met;
     std::size_t begin = 0;  // index in the walk at which the leg before the current turn begins
     for (std::size_t i = 1; i + 1 < route.size(); ++i) {
         const Vec3 &from = route[i - 1], &turn = route[i], &next = route[i + 1];
         const double leg_m = flat_distance(from, turn);
-        const Beside after = beside(from, turn, next);
+        const AlongLine after = along_line(from, turn, next);
         // The angle of the turn; positive: to the right.
         const double turned_rad = std::atan2(after.right_m, after.along_m - leg_m);
         // Use only the part of the walk before the walker comes near the point after the turn.
@@ -170,7 +170,7 @@ TurnsMet turns_met(std::span<const Vec3> route_m, std::span<const WayPoint> walk
         std::size_t past = begin;
         for (std::size_t p = begin; p < end; ++p) {
             const Vec3& place = walk[p].place_m;
-            const Beside at = beside(from, turn, place);
+            const AlongLine at = along_line(from, turn, place);
             at_turn = at_turn || (at.along_m >= leg_m - kNearTurn_m && std::abs(at.right_m) < kOff_m);
             // The last sample in which the walker was near the turn.
             if (glm::length(place - turn) < kNearTurn_m) past = p;

@@ -13,18 +13,18 @@
 namespace handrail::results {
 
 // A position of the walker. `leap`: the walker was moved to this position without walking.
-struct WayPoint {
+struct WalkedPoint {
     double t_s = 0.0;
     Vec3 place_m{0.0};
     bool leap = false;
 };
 
-inline constexpr double kWaySpacing_m = 0.25;
-// Returns the walked length. Only uses points that are at least kWaySpacing_m apart, so that swaying on the spot adds
+inline constexpr double kPointSpacing_m = 0.25;
+// Returns the walked length. Only uses points that are at least kPointSpacing_m apart, so that swaying on the spot adds
 // no length. Leaves out leaps.
-double way_walked_m(std::span<const WayPoint> walk);
+double walked_length_m(std::span<const WalkedPoint> walk);
 // Returns the horizontal length of a route, computed in the same way as a walked length.
-double level_way_m(std::span<const Vec3> route_m);
+double level_length_m(std::span<const Vec3> route_m);
 // Returns the walked length divided by the shortest length. Returns nothing if the shortest length is less than a
 // metre, or if the goal was not reached.
 std::optional<double> path_ratio(double walked_m, double shortest_m, bool reached);
@@ -41,7 +41,7 @@ struct Hesitations {
     int count = 0;
     double sum_s = 0.0;
 };
-Hesitations hesitations(std::span<const WayPoint> walk, std::span<const Span> busy = {});
+Hesitations hesitations(std::span<const WalkedPoint> walk, std::span<const Span> busy = {});
 
 // A touch. Touches of one object within two seconds of each other form one contact.
 struct Touch {
@@ -87,6 +87,6 @@ struct TurnsMet {
     int turns = 0, missed = 0, early = 0;
     std::vector<Vec3> missed_m, early_m;  // positions of the missed and the early turns, in the order of the route
 };
-TurnsMet turns_met(std::span<const Vec3> route_m, std::span<const WayPoint> walk);
+TurnsMet turns_met(std::span<const Vec3> route_m, std::span<const WalkedPoint> walk);
 
 }  // namespace handrail::results

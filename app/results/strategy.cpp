@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kDegree_rad = std::numbers::pi / 180.0;
 
-double flat_way_m(const Vec3& a, const Vec3& b) { return std::hypot(b.x - a.x, b.y - a.y); }
-double length_of(const WalkedLeg& leg) { return flat_way_m(leg.from_m, leg.to_m); }
+double flat_length_m(const Vec3& a, const Vec3& b) { return std::hypot(b.x - a.x, b.y - a.y); }
+double length_of(const WalkedLeg& leg) { return flat_length_m(leg.from_m, leg.to_m); }
 double course_of(const WalkedLeg& leg) { return std::atan2(leg.to_m.x - leg.from_m.x, leg.to_m.y - leg.from_m.y); }
 double turn_between(double a_rad, double b_rad) {
     return std::abs(std::remainder(b_rad - a_rad, 2.0 * std::numbers::pi));
@@ -24,7 +24,7 @@ double off_line(const Vec3& a, const Vec3& b, const Vec3& p) {
 }
 
 bool at_base(const WalkSample& sample, const Vec3& base_m, const StrategyTuning& tuning) {
-    return sample.home || flat_way_m(sample.place_m, base_m) < tuning.base_m;
+    return sample.home || flat_length_m(sample.place_m, base_m) < tuning.base_m;
 }
 
 // Returns the indices of the samples at which legs end: at visits, and at bends of the path.
@@ -40,7 +40,7 @@ std::vector<std::size_t> cuts_of(std::span<const WalkSample> walk, const Strateg
     while (!open.empty()) {
         const std::size_t first = done.back(), last = open.back();
         const Vec3 &a = walk[first].place_m, &b = walk[last].place_m;
-        double worst_m = std::max(tuning.bend_m, tuning.bend_share * flat_way_m(a, b));
+        double worst_m = std::max(tuning.bend_m, tuning.bend_share * flat_length_m(a, b));
         std::size_t at = last;
         for (std::size_t i = first + 1; i < last; ++i)
             if (const double off_m = off_line(a, b, walk[i].place_m); off_m > worst_m) worst_m = off_m, at = i;
@@ -74,7 +74,7 @@ std::vector<WalkedLeg> cut_legs(std::span<const WalkSample> walk, const Vec3& ba
         double near_m = 0.0;
         for (std::size_t i = cuts[c - 1] + 1; i <= cuts[c]; ++i) {
             if (walk[i].wall_touched) touched_s = walk[i].t_s;
-            const double step_m = flat_way_m(walk[i - 1].place_m, walk[i].place_m);
+            const double step_m = flat_length_m(walk[i - 1].place_m, walk[i].place_m);
             leg.way_m += step_m;
             if (walk[i].wall_m < tuning.near_wall_m || walk[i].t_s - touched_s < tuning.touched_s) near_m += step_m;
         }
@@ -98,7 +98,7 @@ void join_straight(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
         const double way_m = last.way_m + leg.way_m;
         if (last.to_thing >= 0 || leg.from_thing >= 0 || last.to_base ||
             turn_between(course_of(last), course_of(leg)) >= tuning.merge_deg * kDegree_rad ||
-            way_m > tuning.merge_longer * flat_way_m(last.from_m, leg.to_m) + kSlack_m) {
+            way_m > tuning.merge_longer * flat_length_m(last.from_m, leg.to_m) + kSlack_m) {
             joined.push_back(leg);
             continue;
         }
@@ -157,7 +157,7 @@ void name_legs(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
 
 // Finds each path from one visit to the next, or between a visit and the base. If the path is direct enough and no leg
 // of it follows a wall, gives all its legs the same kind.
-void name_ways(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
+void name_paths(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
     constexpr double kSlack_m = 0.5;
     for (std::size_t first = 0; first < legs.size();) {
         std::size_t last = first;
@@ -169,7 +169,8 @@ void name_ways(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
         const bool along_wall = std::any_of(legs.begin() + static_cast<std::ptrdiff_t>(first),
                                             legs.begin() + static_cast<std::ptrdiff_t>(last) + 1,
                                             [](const WalkedLeg& leg) { return leg.kind == Strategy::Perimeter; });
-        if (ends && last > first && !along_wall && way_m <= tuning.direct * flat_way_m(a.from_m, b.to_m) + kSlack_m &&
+        if (ends && last > first && !along_wall &&
+            way_m <= tuning.direct * flat_length_m(a.from_m, b.to_m) + kSlack_m &&
             (based || (a.from_thing >= 0 && b.to_thing >= 0)))
             for (std::size_t i = first; i <= last; ++i)
                 legs[i].kind = based ? Strategy::BackToBase : Strategy::ObjectToObject;
@@ -185,7 +186,7 @@ std::vector<WalkedLeg> legs_of(std::span<const WalkSample> walk, const Vec3& bas
     join_straight(legs, tuning);
     find_lanes(legs, tuning);
     name_legs(legs, tuning);
-    name_ways(legs, tuning);
+    name_paths(legs, tuning);
     return legs;
 }
 
@@ -209,7 +210,7 @@ std::vector<StrategyWindow> strategy_windows(std::span<const WalkSample> walk, c
             window.way_m += way_m;
             window.share[static_cast<std::size_t>(leg.kind)] += way_m;
         }
-        if (window.way_m >= tuning.least_way_m) {
+        if (window.way_m >= tuning.least_length_m) {
             for (double& share : window.share) share /= window.way_m;
             const auto most = std::max_element(window.share.begin() + 1, window.share.end() - 1);
             window.kind = *most >= tuning.share ? static_cast<Strategy>(most - window.share.begin()) : Strategy::Mixed;

@@ -42,7 +42,7 @@ struct StrategyTuning {
     // For the path from one visit to the next: greatest ratio of its length to the straight distance, if it is direct.
     double direct = 1.6;
     std::size_t legs = 6;
-    double least_s = 20.0, most_s = 90.0, step_s = 5.0, least_way_m = 2.0;
+    double least_s = 20.0, most_s = 90.0, step_s = 5.0, least_length_m = 2.0;
     double share = 0.5;  // a window gets the strategy of a kind that has at least this share of the window's path
 };
 

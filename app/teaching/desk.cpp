@@ -136,7 +136,7 @@ struct DeskServer::State {
 DeskServer::DeskServer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 DeskServer::~DeskServer() {
-    tell(phrase("desk_order.ended"));
+    send(phrase("desk_order.ended"));
     for (State::Watcher& watcher : state_->watchers) State::drop(watcher);
     ::close(state_->listening);
     std::error_code ec;
@@ -190,7 +190,7 @@ std::vector<std::string> DeskServer::take_orders() {
     return orders;
 }
 
-void DeskServer::tell(const std::string& line) {
+void DeskServer::send(const std::string& line) {
     state_->kept.push_back(line);
     if (state_->kept.size() > kKept) state_->kept.pop_front();
     for (State::Watcher& watcher : state_->watchers)

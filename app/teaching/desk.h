@@ -38,7 +38,7 @@ public:
     // Returns the orders that have arrived since the last call, in their order.
     std::vector<std::string> take_orders();
     // Sends a line to all watchers. The last lines are also sent to watchers who connect later.
-    void tell(const std::string& line);
+    void send(const std::string& line);
 
 private:
     struct State;

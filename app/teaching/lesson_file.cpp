@@ -219,7 +219,7 @@ TaughtStep step_in(const settings::TomlValue& table, const LessonFile& lesson) {
                     step.to.begin() + static_cast<std::ptrdiff_t>(i))
                     bad(fields.node("of"), phrase("teaching.twice", {{"name", step.to[i]}}));
             break;
-        case StepKind::Ask:
+        case StepKind::Question:
             if (step.say.text.empty()) fields.node("say");
             if (fields.has("scale")) {
                 const auto range = fields.range("scale");

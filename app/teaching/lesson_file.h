@@ -41,7 +41,7 @@ struct LessonRoute {
     int line = 0;
 };
 
-enum class StepKind : std::uint8_t { Learn, Go, Free, Point, Distance, Order, Ask };
+enum class StepKind : std::uint8_t { Learn, Go, Free, Point, Distance, Order, Question };
 inline constexpr std::array<const char*, 7> kStepWords = {"learn", "go", "free", "point", "distance", "order", "ask"};
 
 struct TaughtStep {
@@ -62,7 +62,7 @@ struct TaughtStep {
     bool along_way = false;
     // For Point: an answer passes if its error is at most this; none: answers cannot fail.
     std::optional<double> pass_deg;
-    // For Ask: answers are whole numbers in this range; none: answers are words.
+    // For Question: answers are whole numbers in this range; none: answers are words.
     std::optional<std::array<int, 2>> scale;
     int line = 0;
 };

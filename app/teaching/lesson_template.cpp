@@ -59,7 +59,7 @@ LessonFile three_sessions(const core::LessonDraft& draft, const std::filesystem:
     }
     TaughtStep point = step_of(StepKind::Point);
     point.from = "base";
-    point.to = draft.asked;
+    point.to = draft.requested;
     first.steps.push_back(point);
 
     TaughtSession second{phrase("prepare.second"), kMinutes, false, {}, {}, 0};
@@ -73,7 +73,7 @@ LessonFile three_sessions(const core::LessonDraft& draft, const std::filesystem:
     third.steps.push_back(go);
     TaughtStep distance = step_of(StepKind::Distance);
     distance.from = "base";
-    distance.to = draft.asked;
+    distance.to = draft.requested;
     third.steps.push_back(distance);
     if (draft.on_route.size() > 1) {
         TaughtStep order = step_of(StepKind::Order);
@@ -81,7 +81,7 @@ LessonFile three_sessions(const core::LessonDraft& draft, const std::filesystem:
         order.say.text = phrase("prepare.order");
         third.steps.push_back(order);
     }
-    TaughtStep sure = step_of(StepKind::Ask);
+    TaughtStep sure = step_of(StepKind::Question);
     sure.say.text = phrase("prepare.how_sure");
     sure.scale = {1, 7};
     third.steps.push_back(sure);

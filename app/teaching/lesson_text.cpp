@@ -79,7 +79,7 @@ void put_step(std::string& out, const TaughtStep& step) {
         case StepKind::Order:
             out += "of = " + names(step.to) + "\n";
             break;
-        case StepKind::Ask:
+        case StepKind::Question:
             if (step.scale) out += fmt::format("scale = [{}, {}]\n", (*step.scale)[0], (*step.scale)[1]);
             break;
         case StepKind::Free:

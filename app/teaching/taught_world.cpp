@@ -138,14 +138,14 @@ Result<TaughtPlace> TaughtWorld::look_up(const LessonPlace& place) const {
 }
 
 Result<TaughtPlace> TaughtWorld::one_of(const LessonPlace& place, const std::vector<TaughtPlace>& candidates) const {
-    constexpr std::size_t kMostTold = 5;
+    constexpr std::size_t kMostNamed = 5;
     if (place.place_m)
         return *std::min_element(candidates.begin(), candidates.end(), [&](const TaughtPlace& a, const TaughtPlace& b) {
             return glm::length(a.middle_m - *place.place_m) < glm::length(b.middle_m - *place.place_m);
         });
     if (candidates.size() == 1) return candidates.front();
     std::string places;
-    for (std::size_t i = 0; i < std::min(candidates.size(), kMostTold); ++i) {
+    for (std::size_t i = 0; i < std::min(candidates.size(), kMostNamed); ++i) {
         const Vec3& at = candidates[i].middle_m;
         places += fmt::format("{}[{:.1f}, {:.1f}, {:.1f}]", i == 0 ? "" : ", ", at.x, at.y, at.z);
     }
@@ -162,7 +162,7 @@ Result<void> TaughtWorld::know(const LessonPlace& place) {
 }
 
 // Looks up a name that a step uses. The name may be that of any object of the world, not only of a landmark.
-Result<void> TaughtWorld::know_asked(const std::string& name, int line) {
+Result<void> TaughtWorld::know_requested(const std::string& name, int line) {
     if (place(name)) return {};
     LessonPlace thing;
     thing.name = thing.thing = name;
@@ -178,13 +178,14 @@ Result<void> TaughtWorld::know_asked(const std::string& name, int line) {
 
 // Checks that the question in a step has an answer. An object under the learner's feet has no direction and no
 // distance, and nobody can approach it. The ground outside the building has no walls.
-Result<void> TaughtWorld::check_asked(const TaughtStep& step) const {
+Result<void> TaughtWorld::check_requested(const TaughtStep& step) const {
     constexpr double kUnderFeet_m = 0.3, kSameStorey_m = 2.5;
     const TaughtPlace& from = step.from.empty() ? base_ : *place(step.from);
     for (const std::string& name : step.to) {
-        const TaughtPlace& asked = *place(name);
-        const Vec3 near =
-            asked.box_m.empty() ? asked.middle_m : glm::clamp(from.stand_m, asked.box_m.min_m, asked.box_m.max_m);
+        const TaughtPlace& requested = *place(name);
+        const Vec3 near = requested.box_m.empty()
+                              ? requested.middle_m
+                              : glm::clamp(from.stand_m, requested.box_m.min_m, requested.box_m.max_m);
         const Vec3 off_m = near - from.stand_m;
         if (std::hypot(off_m.x, off_m.y) < kUnderFeet_m && std::abs(off_m.z) < kSameStorey_m)
             return bad(step.line, "teaching.under_feet", name, {});
@@ -202,8 +203,8 @@ Result<void> TaughtWorld::check_step(const TaughtStep& step) {
     if (!step.from.empty()) named.push_back(step.from);
     if (!step.room.empty()) named.push_back(step.room);
     for (const std::string& name : named)
-        if (auto known = know_asked(name, step.line); !known) return known;
-    if (auto fits = check_asked(step); !fits) return fits;
+        if (auto known = know_requested(name, step.line); !known) return known;
+    if (auto fits = check_requested(step); !fits) return fits;
     std::vector<FeatureId> blocked;
     for (const std::string& name : step.block) {
         const auto found = door(name);
@@ -222,9 +223,9 @@ Result<std::shared_ptr<TaughtWorld>> TaughtWorld::find(LessonFile lesson, const 
                                                        const std::string& checksum, core::RoomsKept* rooms_kept) {
     std::shared_ptr<TaughtWorld> world(new TaughtWorld);
     world->scene_ = scene;
-    const core::WalkerSize size = core::body_size(*scene, settings::Settings{}.walk.body_radius_m);
+    const core::WalkerSize size = core::walker_size(*scene, settings::Settings{}.walk.body_radius_m);
     world->rooms_ = std::make_unique<core::RoomsOfWorld>(
-        scene, navigation::walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once(),
+        scene, navigation::walker_measures(*scene, size.radius_m, size.height_m, size.step_up_m), at_once(),
         core::RoutesKeeper{}, rooms_kept);
     if (!world->rooms_->ready() || !world->rooms_->found())
         return fail(world->rooms_->problem(), lesson.file.filename().string());

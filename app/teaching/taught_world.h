@@ -59,8 +59,8 @@ private:
     Result<TaughtPlace> one_of(const LessonPlace& place, const std::vector<TaughtPlace>& candidates) const;
     Result<TaughtPlace> look_up(const LessonPlace& place) const;
     Result<void> know(const LessonPlace& place);
-    Result<void> know_asked(const std::string& name, int line);
-    Result<void> check_asked(const TaughtStep& step) const;
+    Result<void> know_requested(const std::string& name, int line);
+    Result<void> check_requested(const TaughtStep& step) const;
     Result<void> check_step(const TaughtStep& step);
     std::vector<std::string> names() const;
     // Returns each door, once for each of its names: its own name, its kind if no other door is of that kind, and the

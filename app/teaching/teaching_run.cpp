@@ -30,10 +30,10 @@ double off_way_m(const std::vector<Vec3>& way, const Vec3& at) {
     return best;
 }
 
-int times_off(const std::vector<Vec3>& way, const std::vector<results::WayPoint>& walk, double off_m) {
+int times_off(const std::vector<Vec3>& way, const std::vector<results::WalkedPoint>& walk, double off_m) {
     int times = 0;
     bool off = false;
-    for (const results::WayPoint& point : walk) {
+    for (const results::WalkedPoint& point : walk) {
         const double now_m = off_way_m(way, point.place_m);
         if (!off && now_m > off_m) ++times, off = true;
         else if (off && now_m < 0.5 * off_m) off = false;
@@ -68,8 +68,8 @@ void TeachingRun::act(core::TeacherActed::Kind kind, std::string text, double nu
 }
 
 void TeachingRun::task(std::string text) {
-    asked_.told = std::move(text);
-    act(core::TeacherActed::Kind::Task, asked_.told);
+    question_.task = std::move(text);
+    act(core::TeacherActed::Kind::Task, question_.task);
 }
 
 void TeachingRun::place(const TaughtPlace& at, std::optional<double> heading_rad) {
@@ -117,23 +117,23 @@ void TeachingRun::see(const core::SessionEvent& event) {
                        if (blocked && !laps_.met_s) laps_.met_s = laps_.left_s = event.time_s;
                    },
                    [&](const core::Answered& e) {
-                       if (!asked_.text.empty() && e.question == asked_.text) answered(e.text);
+                       if (!question_.text.empty() && e.question == question_.text) answered(e.text);
                    },
-                   [&](const core::LessonWished& e) {
+                   [&](const core::LessonRequested& e) {
                        if (!begun_ || over_) return;
-                       switch (e.wish) {
-                           case core::LessonWish::Done:
+                       switch (e.request) {
+                           case core::LessonRequest::Done:
                                next(event.time_s);
                                break;
-                           case core::LessonWish::MoreHelp:
+                           case core::LessonRequest::MoreHelp:
                                ++task_.help;
                                whole_.helped_s = event.time_s;
                                change_help(1);
                                break;
-                           case core::LessonWish::LessHelp:
+                           case core::LessonRequest::LessHelp:
                                change_help(-1);
                                break;
-                           case core::LessonWish::Leave:
+                           case core::LessonRequest::Leave:
                                end(event.time_s);
                                break;
                        }
@@ -185,7 +185,7 @@ void TeachingRun::tick(double now_s, const core::LessonView& view, bool speaking
             phrase("teaching.session",
                    {{"lesson", lesson.title.spoken()}, {"name", session().name}, {"count", session().steps.size()}});
         if (session().minutes > 0) first = one_after(first, phrase("teaching.minutes", {{"count", session().minutes}}));
-        acts_.emplace_back(core::Told{one_after(first, world_->news()), cues::SpeechClass::Answer});
+        acts_.emplace_back(core::Announcement{one_after(first, world_->news()), cues::SpeechClass::Answer});
         begin_step();
         return;
     }
@@ -214,10 +214,10 @@ void TeachingRun::tick(double now_s, const core::LessonView& view, bool speaking
 
 void TeachingRun::begin_step() {
     end_teachers_lead();
-    asked_.text.clear();
-    asked_.at = 0;
-    asked_.errors_rad.clear();
-    asked_.judged.clear();
+    question_.text.clear();
+    question_.at = 0;
+    question_.errors_rad.clear();
+    question_.judged.clear();
     task_ = {};
     task_.begun_s = now_s_;
     const TaughtStep& now = step();
@@ -235,8 +235,8 @@ void TeachingRun::begin_step() {
         case StepKind::Point:
         case StepKind::Distance:
         case StepKind::Order:
-        case StepKind::Ask:
-            return ask();
+        case StepKind::Question:
+            return pose_question();
     }
 }
 
@@ -323,8 +323,8 @@ void TeachingRun::end_lap(bool reached) {
         std::vector<TaughtPlace> stops = led_stops();
         stops.back().stand_m = view_.feet_m;
         const navigation::Route shortest = world_->way(world_->base().stand_m, stops, laps_.blocked);
-        if (const auto ratio = results::path_ratio(results::way_walked_m(task_.walk),
-                                                   results::level_way_m(shortest.points_m), shortest.reaches))
+        if (const auto ratio = results::path_ratio(results::walked_length_m(task_.walk),
+                                                   results::level_length_m(shortest.points_m), shortest.reaches))
             result.measures["path_ratio"] = *ratio;
     }
     const results::TurnsMet turns = results::turns_met(laps_.shortest.points_m, task_.walk);
@@ -337,9 +337,9 @@ void TeachingRun::end_lap(bool reached) {
     }
     keep(std::move(result));
     act(core::TeacherActed::Kind::Leave);
-    acts_.emplace_back(
-        core::Told{phrase(reached ? "teaching.reached" : "teaching.left_way", {{"name", laps_.stops.back().name}}),
-                   cues::SpeechClass::Answer});
+    acts_.emplace_back(core::Announcement{
+        phrase(reached ? "teaching.reached" : "teaching.left_way", {{"name", laps_.stops.back().name}}),
+        cues::SpeechClass::Answer});
     if (!laps_.errors_before || errors <= *laps_.errors_before)
         laps_.level = std::min(laps_.level + 1, step().help_percent.size() - 1);
     laps_.errors_before = errors;
@@ -368,17 +368,17 @@ void TeachingRun::finish(bool all) {
     std::string words = phrase(all ? "teaching.over" : "teaching.left", {{"name", session().name}});
     if (all && next < world_->lesson().sessions.size())
         words = one_after(words, phrase("teaching.next_session", {{"name", world_->lesson().sessions[next].name}}));
-    acts_.emplace_back(core::Told{words, cues::SpeechClass::Answer});
+    acts_.emplace_back(core::Announcement{words, cues::SpeechClass::Answer});
 }
 
 std::string TeachingRun::next(double now_s) {
     now_s_ = now_s;
     if (!begun_) return phrase("desk_order.not_begun");
     if (over_) return phrase("desk_order.ended");
-    asked_.text.clear();
+    question_.text.clear();
     end_task();
     if (over_) return phrase("desk_order.ended");
-    return phrase("desk_order.now", {{"task", asked_.text.empty() ? asked_.told : asked_.text}});
+    return phrase("desk_order.now", {{"task", question_.text.empty() ? question_.task : question_.text}});
 }
 
 void TeachingRun::end_task() {
@@ -398,7 +398,8 @@ void TeachingRun::end_task() {
 std::string TeachingRun::repeat() {
     if (!begun_) return phrase("desk_order.not_begun");
     if (over_) return phrase("desk_order.ended");
-    acts_.emplace_back(core::Told{asked_.text.empty() ? asked_.told : asked_.text, cues::SpeechClass::Answer});
+    acts_.emplace_back(
+        core::Announcement{question_.text.empty() ? question_.task : question_.text, cues::SpeechClass::Answer});
     return phrase("desk_order.told_again");
 }
 
@@ -408,7 +409,7 @@ std::string TeachingRun::change_help(int by) {
     if (by > 0 && laps_.level > 0) --laps_.level;
     else if (by < 0 && laps_.level < last) ++laps_.level;
     std::string words = phrase("teaching.help_is", {{"percent", static_cast<int>(std::lround(100.0 * level()))}});
-    acts_.emplace_back(core::Told{words, cues::SpeechClass::Answer});
+    acts_.emplace_back(core::Announcement{words, cues::SpeechClass::Answer});
     lead();
     return words;
 }

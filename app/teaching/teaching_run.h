@@ -80,7 +80,7 @@ private:
     void begin_step();
     void begin_go();
     void begin_lap();
-    void ask();
+    void pose_question();
     void answered(const std::string& text);
     bool take_number(const std::string& text, double& number) const;
     void end_task();
@@ -121,7 +121,7 @@ private:
     // The measurements in the current task.
     struct Task {
         double begun_s = 0.0;
-        std::vector<results::WayPoint> walk;
+        std::vector<results::WalkedPoint> walk;
         std::vector<results::Touch> touches;
         int help = 0;
         double led_s = 0.0;
@@ -130,13 +130,13 @@ private:
         // How much of the room to learn was known when the learner was last in that room.
         std::optional<double> walls_percent, exits_percent;  // nothing: the room has no walls, or no exits
     } task_;
-    struct Questions {
-        std::string told, text;          // texts of the task and of the question; empty: none
+    struct Question {
+        std::string task, text;          // texts of the task and of the question; empty: none
         std::size_t at = 0;              // index of the current question in the step's `to`
         std::vector<double> errors_rad;  // errors of the answers to pointing questions
         std::vector<results::Judged> judged;
         std::vector<std::size_t> shown;  // order in which the items were shown
-    } asked_;
+    } question_;
     // State of a step in which the learner learns a route.
     struct Laps {
         int lap = 0;

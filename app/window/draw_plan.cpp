@@ -38,10 +38,10 @@ void draw_room_names(ImDrawList& list, ImFont& font, const PlanLayout& layout, c
                      float unit_px) {
     const std::vector<std::size_t> rooms = rooms_of_storey(view);
     const Vec2 feet = layout.to_pixels(view.feet_m);
-    const float body_px = 5.0F * unit_px;
+    const float walker_px = 5.0F * unit_px;
     std::vector<std::pair<ImVec2, ImVec2>> taken{
-        {{static_cast<float>(feet.x) - body_px, static_cast<float>(feet.y) - body_px},
-         {static_cast<float>(feet.x) + body_px, static_cast<float>(feet.y) + body_px}}};
+        {{static_cast<float>(feet.x) - walker_px, static_cast<float>(feet.y) - walker_px},
+         {static_cast<float>(feet.x) + walker_px, static_cast<float>(feet.y) + walker_px}}};
     for (auto at = rooms.rbegin(); at != rooms.rend(); ++at) {
         const core::DrawnRoom& room = (*view.rooms)[*at];
         const bool here = *at == view.room;
@@ -93,7 +93,7 @@ void draw_hand(ImDrawList& list, const PlanLayout& layout, const core::ViewState
 }
 
 // Draws the walker as an arrow that points where the walker faces.
-void draw_body(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view, float unit_px) {
+void draw_walker(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view, float unit_px) {
     const ImVec2 at = im(layout.to_pixels(view.feet_m));
     const double turn = view.heading_rad - layout.turn_rad;
     const auto corner = [&](double forward, double right, float scale) {
@@ -180,7 +180,7 @@ void PlanDrawing::draw(const core::ViewState& view, ImFont& font, PixelSize pict
                          std::max(2.0F, 0.6F * unit_px));
     }
     draw_hand(list, layout, view, unit_px);
-    draw_body(list, layout, view, unit_px);
+    draw_walker(list, layout, view, unit_px);
     draw_room_names(list, font, layout, view, unit_px);
     draw_scale_and_north(list, font, layout, unit_px);
     list.PopClipRect();

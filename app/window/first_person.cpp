@@ -12,7 +12,7 @@ constexpr double kFieldOfView_rad = kPi / 3.0;  // vertical field of view
 constexpr double kNear_m = 0.02;
 // Smallest radius of the drawn ball as a fraction of its distance. So the ball at the proxy, whose radius is 5 mm,
 // stays visible across a room.
-constexpr double kSmallestBallPart = 0.02;
+constexpr double kSmallestProxyPart = 0.02;
 // Width of an outline as a fraction of the picture's height. The white core of the outline is a third of this width.
 constexpr float kEdgePart = 1.0F / 100.0F;
 
@@ -96,7 +96,7 @@ in float across;
 out vec4 shown;
 void main() { shown = vec4(vec3(abs(across) < 0.34 ? 1.0 : 0.0), 1.0); })";
 
-constexpr const char* kBallVertex = R"(#version 330 core
+constexpr const char* kProxyVertex = R"(#version 330 core
 uniform mat4 clip_from_eye;
 uniform vec3 centre_from_eye_m;
 uniform float radius_m;
@@ -109,7 +109,7 @@ void main() {
     gl_Position = clip_from_eye * vec4((centre_from_eye_m + radius_m * (place.x * right + place.y * up)) * pull, 1.0);
 })";
 
-constexpr const char* kBallFragment = R"(#version 330 core
+constexpr const char* kProxyFragment = R"(#version 330 core
 in vec2 place;
 uniform bool touching;
 uniform bool forces_on;
@@ -166,7 +166,7 @@ std::vector<Part> parts_of(const core::ViewState& view, UploadedScene& scene) {
 Result<void> FirstPerson::start() {
     for (const auto& built :
          {surface_program_.build(kSurfaceVertex, kSurfaceFragment), edge_program_.build(kEdgeVertex, kEdgeFragment),
-          ball_program_.build(kBallVertex, kBallFragment)})
+          proxy_program_.build(kProxyVertex, kProxyFragment)})
         if (!built) return built;
     return {};
 }
@@ -216,7 +216,7 @@ void FirstPerson::draw(const core::ViewState& view, UploadedScene& scene, PixelS
     edge_program_.set("half_width_px", std::max(1.5F, 0.5F * kEdgePart * static_cast<float>(picture.height)));
     draw_parts(edge_program_, [](UploadedMesh& mesh) { mesh.draw_edges(); });
 
-    if (view.show_hand) draw_ball(view, clip_from_eye, right, up);
+    if (view.show_hand) draw_proxy(view, clip_from_eye, right, up);
 
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
@@ -229,22 +229,22 @@ void FirstPerson::draw(const core::ViewState& view, UploadedScene& scene, PixelS
     glDisable(GL_DEPTH_TEST);
 }
 
-void FirstPerson::draw_ball(const core::ViewState& view, const glm::mat4& clip_from_eye, const Vec3& right,
-                            const Vec3& up) {
+void FirstPerson::draw_proxy(const core::ViewState& view, const glm::mat4& clip_from_eye, const Vec3& right,
+                             const Vec3& up) {
     const Vec3 centre = view.proxy_m - view.eyes_m;
     const double distance_m = glm::length(centre);
-    const double radius_m = std::max(view.ball_radius_m, kSmallestBallPart * distance_m);
-    ball_program_.use();
-    ball_program_.set("clip_from_eye", clip_from_eye);
-    ball_program_.set("centre_from_eye_m", glm::vec3(centre));
-    ball_program_.set("radius_m", static_cast<float>(radius_m));
+    const double radius_m = std::max(view.proxy_radius_m, kSmallestProxyPart * distance_m);
+    proxy_program_.use();
+    proxy_program_.set("clip_from_eye", clip_from_eye);
+    proxy_program_.set("centre_from_eye_m", glm::vec3(centre));
+    proxy_program_.set("radius_m", static_cast<float>(radius_m));
     // Draw the ball nearer to the eye, so that the surface on which it rests does not hide it. A wall between the eye
     // and the ball still hides the ball.
-    ball_program_.set("pull", static_cast<float>(std::max(0.5, 1.0 - 2.0 * radius_m / std::max(distance_m, 1e-3))));
-    ball_program_.set("right", glm::vec3(right));
-    ball_program_.set("up", glm::vec3(up));
-    ball_program_.set("touching", view.touching);
-    ball_program_.set("forces_on", view.forces_on);
+    proxy_program_.set("pull", static_cast<float>(std::max(0.5, 1.0 - 2.0 * radius_m / std::max(distance_m, 1e-3))));
+    proxy_program_.set("right", glm::vec3(right));
+    proxy_program_.set("up", glm::vec3(up));
+    proxy_program_.set("touching", view.touching);
+    proxy_program_.set("forces_on", view.forces_on);
     no_vertices_.bind();
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }

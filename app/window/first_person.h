@@ -20,9 +20,9 @@ public:
     void draw(const core::ViewState& view, UploadedScene& scene, PixelSize picture, int bottom_px);
 
 private:
-    void draw_ball(const core::ViewState& view, const glm::mat4& clip_from_eye, const Vec3& right, const Vec3& up);
+    void draw_proxy(const core::ViewState& view, const glm::mat4& clip_from_eye, const Vec3& right, const Vec3& up);
 
-    GlProgram surface_program_, edge_program_, ball_program_;
+    GlProgram surface_program_, edge_program_, proxy_program_;
     // Core profiles require a bound vertex array even for shaders that compute their own vertices.
     GlVertexArray no_vertices_;
 };

@@ -78,8 +78,8 @@ public:
     std::vector<WindowEvent> poll() {
         if (!system_->lost()) glfwPollEvents();
         take_decided_keys();
-        if (system_->lost() && !told_of_loss_) {
-            told_of_loss_ = true;
+        if (system_->lost() && !loss_reported_) {
+            loss_reported_ = true;
             for (KeyEvent& event : keys_.let_go()) events_.emplace_back(std::move(event));
             events_.emplace_back(CloseRequest{});
         }
@@ -232,7 +232,7 @@ private:
     PixelSize shown_size_;
     int frames_in_size_ = 0;
     double rest_until_s_ = 0.0;  // no picture is drawn before this time on GLFW's clock
-    bool told_of_loss_ = false;
+    bool loss_reported_ = false;
 };
 
 Window::Window(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -16,7 +16,7 @@ void Wizard::begin_search() {
     search_begun_s_ = -1.0;
 }
 
-std::string Wizard::ask_search() const { return phrase("wizard.search"); }
+std::string Wizard::search_question() const { return phrase("wizard.search"); }
 
 void Wizard::watch_search() {
     for (const std::string& sentence : sense_.news)

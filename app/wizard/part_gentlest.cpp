@@ -34,7 +34,7 @@ std::shared_ptr<const render::HapticScene> pressing_scene() {
 
 void Wizard::begin_press() { begin_force(pressing_scene()); }
 
-std::string Wizard::ask_press() const {
+std::string Wizard::press_question() const {
     return sense_.tool.waiting_for_hand ? phrase("wizard.press_waiting") : phrase("wizard.press");
 }
 
@@ -42,7 +42,7 @@ void Wizard::accept_press() { keep_gentlest(glm::length(sense_.tool.force_n)); }
 
 bool Wizard::watch_press(double dt_s) {
     if (!sense_.tool.waiting_for_hand && felt_.tuning.forces_on && !sense_.speaking &&
-        now_s_ - asked_.begun_s > kPressAfter_s)
+        now_s_ - question_.begun_s > kPressAfter_s)
         felt_.tuning.force_ceiling_n =
             std::min(kGentlestMost_n, felt_.tuning.force_ceiling_n + kGentlestRise_n_per_s * dt_s);
     if (felt_.tuning.force_ceiling_n < kGentlestMost_n || !felt_.tuning.forces_on) return false;

@@ -8,7 +8,7 @@
 
 namespace handrail::wizard {
 
-std::string Wizard::ask_hand() const { return phrase("wizard.which_hand"); }
+std::string Wizard::hand_question() const { return phrase("wizard.which_hand"); }
 void Wizard::accept_hand() { keep_hand(own_profile().hand.value_or(settings::HoldingHand::Right)); }
 
 bool Wizard::adjust_hand(WizardKey key) {
@@ -18,7 +18,7 @@ bool Wizard::adjust_hand(WizardKey key) {
 }
 
 bool Wizard::watch_aside(double) {
-    const double aside_m = sense_.tool.hand_m.x - asked_.hand_m.x;
+    const double aside_m = sense_.tool.hand_m.x - question_.hand_m.x;
     if (!homed() || std::abs(aside_m) <= kMovedShare * radius_m()) return false;
     reply_s_ = now_s_;
     keep_hand(aside_m < 0.0 ? settings::HoldingHand::Left : settings::HoldingHand::Right);

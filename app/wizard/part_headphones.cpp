@@ -13,8 +13,8 @@ constexpr double kBellAside_m = 1.5;
 }  // namespace
 
 void Wizard::begin_bell() { bell_due_s_ = now_s_; }
-std::string Wizard::ask_bell_left() const { return phrase("wizard.bell_left"); }
-std::string Wizard::ask_bell_right() const { return phrase("wizard.bell_right"); }
+std::string Wizard::bell_left_question() const { return phrase("wizard.bell_left"); }
+std::string Wizard::bell_right_question() const { return phrase("wizard.bell_right"); }
 
 bool Wizard::adjust_bell_left(WizardKey key) {
     if (key == WizardKey::Left) {
@@ -42,7 +42,7 @@ void Wizard::hear_bell() {
     bell_due_s_ = now_s_ + kBellEvery_s;
     const Vec3 right = right_of_heading(sense_.listener.heading_rad);
     play(cues::SoundKind::Bell,
-         sense_.listener.ears_m + right * (asked_.step == Step::BellLeft ? -kBellAside_m : kBellAside_m));
+         sense_.listener.ears_m + right * (question_.step == Step::BellLeft ? -kBellAside_m : kBellAside_m));
 }
 
 }  // namespace handrail::wizard

@@ -8,8 +8,8 @@
 
 namespace handrail::wizard {
 
-std::string Wizard::ask_pull() const { return phrase("wizard.pull"); }
-std::string Wizard::ask_push() const { return phrase("wizard.push"); }
+std::string Wizard::pull_question() const { return phrase("wizard.pull"); }
+std::string Wizard::push_question() const { return phrase("wizard.push"); }
 
 void Wizard::accept_homing() {
     if (homed()) return go_on();
@@ -29,7 +29,7 @@ bool Wizard::watch_homing(double) {
     const bool pulled =
         legs(sense_.tool.homed_legs) > legs(homing_.legs_at_start) || (homed() && away_m < -kMovedShare * radius_m());
     const bool pushed = homed() && (homing_.newly_homed || away_m > kMovedShare * radius_m());
-    if (!(asked_.step == Step::Pull ? pulled : pushed)) return true;
+    if (!(question_.step == Step::Pull ? pulled : pushed)) return true;
     reply_s_ = now_s_;
     if (fresh <= 0) click();
     say(phrase("wizard.good"));

@@ -31,7 +31,7 @@ double rounded(double value) { return value < 10.0 ? std::round(value * 10.0) / 
 // ---- the sweep ----
 
 void Wizard::begin_sweep() { reach_.sides_seen = 0; }
-std::string Wizard::ask_sweep() const { return phrase("wizard.sweep"); }
+std::string Wizard::sweep_question() const { return phrase("wizard.sweep"); }
 
 bool Wizard::watch_sweep(double) {
     const Vec3& hand_m = sense_.tool.hand_m;
@@ -72,7 +72,7 @@ void Wizard::keep_reach() {
 // ---- the scale ----
 
 void Wizard::begin_scale() { reach_.scale = own_profile().scale.value_or(settings_.workspace.scale); }
-std::string Wizard::ask_scale() const { return phrase("wizard.scale", {{"span", span_words()}}); }
+std::string Wizard::scale_question() const { return phrase("wizard.scale", {{"span", span_words()}}); }
 
 std::string Wizard::span_words() const {
     const settings::DeviceProfile own = own_profile();
@@ -92,7 +92,7 @@ bool Wizard::adjust_scale(WizardKey key) {
         const auto next = std::lower_bound(kScales.begin(), kScales.end(), reach_.scale - 1e-9);
         if (next != kScales.begin()) reach_.scale = *(next - 1);
     }
-    asked_.text = ask_scale();
+    question_.text = scale_question();
     if (before == reach_.scale) play(cues::SoundKind::Denied, sense_.listener.ears_m);
     say(core::sentence_case(phrase("wizard.said", {{"words", span_words()}})));
     return true;
@@ -106,14 +106,14 @@ void Wizard::keep_scale() {
 
 // ---- beyond the workspace ----
 
-std::string Wizard::ask_beyond() const {
+std::string Wizard::beyond_question() const {
     return settings_.workspace.rim ? phrase("wizard.beyond_on") : phrase("wizard.beyond_off");
 }
 
 bool Wizard::adjust_beyond(WizardKey key) {
     if (is_across(key)) return false;
     settings_.workspace.rim = !settings_.workspace.rim;
-    asked_.text = ask_beyond();
+    question_.text = beyond_question();
     say(settings_.workspace.rim ? phrase("wizard.on") : phrase("wizard.off"));
     return true;
 }

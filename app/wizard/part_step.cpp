@@ -15,7 +15,7 @@ constexpr double kStepStep_m = 0.05, kShortestStep_m = 0.2, kLongestStep_m = 1.5
 
 }  // namespace
 
-std::string Wizard::ask_step_length() const {
+std::string Wizard::step_length_question() const {
     return phrase("wizard.step_length", {{"length", found_.step_length_m * 100.0}});
 }
 
@@ -23,8 +23,8 @@ bool Wizard::adjust_step_length(WizardKey key) {
     if (is_across(key)) return false;
     found_.step_length_m = std::clamp(found_.step_length_m + (is_upward(key) ? kStepStep_m : -kStepStep_m),
                                       kShortestStep_m, kLongestStep_m);
-    asked_.typed.clear();
-    asked_.text = ask_step_length();
+    question_.typed.clear();
+    question_.text = step_length_question();
     say(phrase("wizard.centimetres", {{"length", found_.step_length_m * 100.0}}));
     return true;
 }
@@ -33,14 +33,14 @@ bool Wizard::adjust_step_length(WizardKey key) {
 // ten steps, or centimetres for one step.
 void Wizard::keep_step_length() {
     double typed = 0.0;
-    if (!asked_.typed.empty()) {
+    if (!question_.typed.empty()) {
         double length_m = 0.0;
-        if (parse_finite(asked_.typed, typed))
+        if (parse_finite(question_.typed, typed))
             length_m = typed <= kLongestStep_m ? typed : typed <= 10.0 * kLongestStep_m ? typed / 10.0 : typed / 100.0;
         if (!(length_m >= kShortestStep_m - 1e-9 && length_m <= kLongestStep_m + 1e-9)) {
-            say(phrase("wizard.no_step", {{"typed", asked_.typed}}));
-            asked_.typed.clear();
-            return ask();
+            say(phrase("wizard.no_step", {{"typed", question_.typed}}));
+            question_.typed.clear();
+            return pose_question();
         }
         found_.step_length_m = length_m;
     }

@@ -37,10 +37,10 @@ double Wizard::first_ceiling_n() const { return own_profile().ceiling_n.value_or
 
 void Wizard::begin_wall() {
     found_.ceiling_n = std::clamp(first_ceiling_n(), weakest_ceiling_n(), strongest_n());
-    begin_force(wall_scene(std::clamp(asked_.hand_m.y + 0.005, -kMovedShare * radius_m(), 0.3 * radius_m())));
+    begin_force(wall_scene(std::clamp(question_.hand_m.y + 0.005, -kMovedShare * radius_m(), 0.3 * radius_m())));
 }
 
-std::string Wizard::ask_wall() const { return phrase("wizard.wall", {{"force", ceiling_words()}}); }
+std::string Wizard::wall_question() const { return phrase("wizard.wall", {{"force", ceiling_words()}}); }
 
 std::string Wizard::ceiling_words() const {
     const auto is = [this](double level_n) { return std::abs(found_.ceiling_n - level_n) < 1e-6; };
@@ -62,7 +62,7 @@ bool Wizard::adjust_wall(WizardKey key) {
                 wanted_n = level_n;
     }
     const double before_n = std::exchange(found_.ceiling_n, std::clamp(wanted_n, weakest_ceiling_n(), strongest_n()));
-    asked_.text = ask_wall();
+    question_.text = wall_question();
     if (before_n == found_.ceiling_n) play(cues::SoundKind::Denied, sense_.listener.ears_m);
     say(core::sentence_case(phrase("wizard.said", {{"words", ceiling_words()}})));
     return true;

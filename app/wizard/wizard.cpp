@@ -82,17 +82,17 @@ void Wizard::enter(std::size_t index) {
         ++index;
     }
     index_ = index;
-    asked_.step = plan_[index];
+    question_.step = plan_[index];
     paused_ = false;
     felt_.tuning.panic = false;
     felt_.tuning.forces_on = false;
-    asked_.typed.clear();
-    asked_.hand_m = reach_.least_m = reach_.most_m = sense_.tool.hand_m;
+    question_.typed.clear();
+    question_.hand_m = reach_.least_m = reach_.most_m = sense_.tool.hand_m;
     homing_.newly_homed = false;
     homing_.legs_at_start = sense_.tool.homed_legs;
-    if (const auto begin = row(asked_.step).begin) (this->*begin)();
-    if (asked_.step == Step::Done) return finish();
-    ask();
+    if (const auto begin = row(question_.step).begin) (this->*begin)();
+    if (question_.step == Step::Done) return finish();
+    pose_question();
 }
 
 void Wizard::finish() {
@@ -108,9 +108,9 @@ void Wizard::go_back() {
     enter(before == 0 ? index_ : before - 1);
 }
 
-void Wizard::ask() {
-    asked_.text = (this->*row(asked_.step).question)();
-    say(asked_.text);
+void Wizard::pose_question() {
+    question_.text = (this->*row(question_.step).question)();
+    say(question_.text);
 }
 
 settings::DeviceProfile Wizard::own_profile() const {
@@ -140,9 +140,9 @@ void Wizard::answer(const WizardEvent& event, double now_s) {
     cues_.push_back(std::move(quiet));
     if (paused_ && !(key && *key == WizardKey::Leave)) return resume();
     if (!key) {
-        if (asked_.step != Step::StepLength) return play(cues::SoundKind::Denied, sense_.listener.ears_m);
+        if (question_.step != Step::StepLength) return play(cues::SoundKind::Denied, sense_.listener.ears_m);
         const std::string& figures = std::get<std::string>(event);
-        asked_.typed += figures;
+        question_.typed += figures;
         return say(figures);
     }
     switch (*key) {
@@ -151,13 +151,13 @@ void Wizard::answer(const WizardEvent& event, double now_s) {
         case WizardKey::Forces:  // the force is on already, so this key only repeats the question
             return repeat_question();
         case WizardKey::Repeat:
-            if (asked_.step == Step::Press) begin_force(felt_.scene);
+            if (question_.step == Step::Press) begin_force(felt_.scene);
             begin_bell();
             return repeat_question();
         case WizardKey::Back:
-            if (!asked_.typed.empty()) {  // if a number has been typed, Back only deletes that number
-                asked_.typed.clear();
-                return ask();
+            if (!question_.typed.empty()) {  // if a number has been typed, Back only deletes that number
+                question_.typed.clear();
+                return pose_question();
             }
             return go_back();
         case WizardKey::Leave:
@@ -167,8 +167,8 @@ void Wizard::answer(const WizardEvent& event, double now_s) {
                 finished_ = true;
                 return;
             }
-            return pause(
-                phrase("wizard.explain", {{"part", phrase("wizard_part." + std::string(part_of(asked_.step).word))}}));
+            return pause(phrase("wizard.explain",
+                                {{"part", phrase("wizard_part." + std::string(part_of(question_.step).word))}}));
         default:
             return adjust(*key);
     }
@@ -187,12 +187,12 @@ void Wizard::resume() {
 }
 
 void Wizard::accept() {
-    if (const auto accept = row(asked_.step).accept) (this->*accept)();
+    if (const auto accept = row(question_.step).accept) (this->*accept)();
     else go_on();
 }
 
 void Wizard::adjust(WizardKey key) {
-    if (const auto adjust = row(asked_.step).adjust; adjust && (this->*adjust)(key)) return;
+    if (const auto adjust = row(question_.step).adjust; adjust && (this->*adjust)(key)) return;
     if (key == WizardKey::Up) return go_back();
     play(cues::SoundKind::Denied, sense_.listener.ears_m);
 }
@@ -210,13 +210,13 @@ void Wizard::tick(const WizardSense& sense) {
         reply_s_ = now_s_;
         enter(0);
     }
-    if (const auto frame = row(asked_.step).frame) return (this->*frame)();
-    if (part_of(asked_.step).needs_device) watch_hand(dt_s);
+    if (const auto frame = row(question_.step).frame) return (this->*frame)();
+    if (part_of(question_.step).needs_device) watch_hand(dt_s);
 }
 
 void Wizard::watch_hand(double dt_s) {
     const servo::ToolState& tool = sense_.tool;
-    if (servo::is_gone(tool.fault) && !lost_device_) {
+    if (servo::is_lost(tool.fault) && !lost_device_) {
         lost_device_ = true;
         reply_s_ = now_s_;
         say(phrase(tool.fault == servo::Fault::Unplugged ? "wizard.unplugged"
@@ -233,7 +233,7 @@ void Wizard::watch_hand(double dt_s) {
     const bool pressed = tool.buttons != 0 && !std::exchange(button_was_down_, tool.buttons != 0);
     if (tool.buttons == 0) button_was_down_ = false;
     if (paused_) return;
-    if (const auto watch = row(asked_.step).watch; watch && (this->*watch)(dt_s)) return;
+    if (const auto watch = row(question_.step).watch; watch && (this->*watch)(dt_s)) return;
     if (pressed) answer(WizardKey::Enter, now_s_);
 }
 
@@ -242,7 +242,7 @@ void Wizard::begin_force(std::shared_ptr<const render::HapticScene> scene) {
     felt_.tuning.forces_on = true;
     felt_.tuning.force_ceiling_n = 0.0;
     held_top_s_ = 0.0;
-    asked_.begun_s = now_s_;
+    question_.begun_s = now_s_;
     ++felt_.jump;
 }
 

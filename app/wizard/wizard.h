@@ -70,9 +70,9 @@ public:
     // The scene that the hand touches; null: the hand touches nothing.
     std::shared_ptr<const render::HapticScene> haptic_scene() const { return felt_.scene; }
     servo::WorkspacePose pose() const;
-    bool waits_for_person() const { return asked_.step != Step::Search && !finished_; }
+    bool waits_for_person() const { return question_.step != Step::Search && !finished_; }
     bool finished() const { return finished_; }
-    std::string_view question() const { return asked_.text; }  // the question as Space repeats it
+    std::string_view question() const { return question_.text; }  // the question as Space repeats it
 
 private:
     enum class Step : std::uint8_t {
@@ -119,8 +119,8 @@ private:
     void go_on() { enter(index_ + 1); }
     void go_back();
     void finish();
-    void ask();
-    void repeat_question() { say(asked_.text); }
+    void pose_question();
+    void repeat_question() { say(question_.text); }
     void say(std::string text);
     void play(cues::SoundKind kind, const Vec3& position_m);
     void click();
@@ -137,54 +137,54 @@ private:
     // Functions of the questions. Each is defined in the file of its part. The table in wizard_table.cpp assigns them
     // to questions.
     void begin_bell();
-    std::string ask_bell_left() const;
-    std::string ask_bell_right() const;
+    std::string bell_left_question() const;
+    std::string bell_right_question() const;
     bool adjust_bell_left(WizardKey key);
     bool adjust_bell_right(WizardKey key);
     void hear_bell();
 
     void begin_search();
-    std::string ask_search() const;
+    std::string search_question() const;
     void watch_search();
 
-    std::string ask_pull() const;
-    std::string ask_push() const;
+    std::string pull_question() const;
+    std::string push_question() const;
     void accept_homing();
     bool watch_homing(double dt_s);
 
-    std::string ask_hand() const;
+    std::string hand_question() const;
     void accept_hand();
     bool adjust_hand(WizardKey key);
     bool watch_aside(double dt_s);
     void keep_hand(settings::HoldingHand hand);
 
     void begin_press();
-    std::string ask_press() const;
+    std::string press_question() const;
     void accept_press();
     bool watch_press(double dt_s);
     void keep_gentlest(double felt_n);
 
     void begin_wall();
-    std::string ask_wall() const;
+    std::string wall_question() const;
     std::string ceiling_words() const;
     bool adjust_wall(WizardKey key);
     bool watch_wall(double dt_s);
     void keep_ceiling();
 
     void begin_sweep();
-    std::string ask_sweep() const;
+    std::string sweep_question() const;
     bool watch_sweep(double dt_s);
     void keep_reach();
     void begin_scale();
-    std::string ask_scale() const;
+    std::string scale_question() const;
     std::string span_words() const;
     bool adjust_scale(WizardKey key);
     void keep_scale();
-    std::string ask_beyond() const;
+    std::string beyond_question() const;
     bool adjust_beyond(WizardKey key);
     void keep_beyond();
 
-    std::string ask_step_length() const;
+    std::string step_length_question() const;
     bool adjust_step_length(WizardKey key);
     void keep_step_length();
 
@@ -221,7 +221,7 @@ private:
     };
 
     // The current question and the answers to it until now.
-    struct Asked {
+    struct Question {
         Step step = Step::Search;
         std::string text;  // the question as Space repeats it
         double begun_s = 0.0;
@@ -247,7 +247,7 @@ private:
     Homing homing_;
     Reach reach_;
     double held_top_s_ = 0.0;  // how long the part `gentlest` has pressed with its greatest force
-    Asked asked_;
+    Question question_;
     Found found_;
     Felt felt_;
     std::vector<cues::CueRequest> cues_;

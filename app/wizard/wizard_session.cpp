@@ -125,7 +125,7 @@ void WizardSession::take_line(double now_s) {
         request.time_s = now_s;
         request.text = parsed ? wizard_help() : parsed.error().message;
         request.repeatable = true;
-        told_.push_back(std::move(request));
+        announced_.push_back(std::move(request));
         return;
     }
     for (const WizardEvent& event : parsed->events) wizard_.answer(event, now_s);
@@ -153,8 +153,8 @@ void WizardSession::tick(const WizardSense& sense) {
 
 std::vector<cues::CueRequest> WizardSession::take_cues() {
     std::vector<cues::CueRequest> cues = wizard_.take_cues();
-    cues.insert(cues.end(), std::make_move_iterator(told_.begin()), std::make_move_iterator(told_.end()));
-    told_.clear();
+    cues.insert(cues.end(), std::make_move_iterator(announced_.begin()), std::make_move_iterator(announced_.end()));
+    announced_.clear();
     return cues;
 }
 

@@ -65,7 +65,7 @@ private:
     double button_until_s_ = 0.0;
     double reach_m_ = 0.0;
     device::HandCommand hand_;
-    std::vector<cues::CueRequest> told_;  // announcements about lines that were not understood
+    std::vector<cues::CueRequest> announced_;  // announcements about lines that were not understood
 };
 
 }  // namespace handrail::wizard

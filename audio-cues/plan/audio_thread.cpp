@@ -29,7 +29,7 @@ void AudioThread::start() {
 void AudioThread::stop(double finish_speech_s) {
     if (std::exchange(stopped_, true)) return;
     finish_speech_s_ = finish_speech_s;
-    stop_asked_.store(true, std::memory_order_release);
+    stop_requested_.store(true, std::memory_order_release);
     if (thread_.joinable()) thread_.join();
     // The thread was never started, or the owner steps the loop. run() then speaks the last lines on this thread.
     else run();
@@ -129,9 +129,9 @@ void AudioThread::publish() {
         static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(planner_.spoken_in_all() - published_, spoken.size()));
     published_ = planner_.spoken_in_all();
     const std::string who = speech_->who();
-    if (fresh == 0 && who == told_who_) return;
+    if (fresh == 0 && who == reported_who_) return;
     const std::lock_guard lock(mutex_);
-    told_who_ = who_ = who;
+    reported_who_ = who_ = who;
     outbox_.insert(outbox_.end(), spoken.end() - fresh, spoken.end());
 }
 
@@ -143,7 +143,7 @@ void AudioThread::run() {
         next_s = std::max(next_s + kPeriod_s, clock_.now_s());
         clock_.sleep_until_s(next_s);
     };
-    while (!stop_asked_.load(std::memory_order_acquire)) step_and_sleep();
+    while (!stop_requested_.load(std::memory_order_acquire)) step_and_sleep();
     step();  // handles the requests that were posted before stop()
     const double patience_s = clock_.now_s() + finish_speech_s_;
     while ((speech_->speaking() || planner_.waiting()) && clock_.now_s() < patience_s) step_and_sleep();

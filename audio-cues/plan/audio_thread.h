@@ -51,7 +51,7 @@ public:
         std::function<void(double now_s)> begins;  // called before anything sounds or is spoken in the step
         std::function<void(const Step&)> ends;
     };
-    void tell_steps(StepListener listener) { step_listener_ = std::move(listener); }
+    void set_step_listener(StepListener listener) { step_listener_ = std::move(listener); }
 
     // For an owner that steps the loop: ends it like stop(), but drops everything that is waiting to be spoken or
     // played.
@@ -97,10 +97,10 @@ private:
 
     Clock& clock_;
     std::thread thread_;  // used by the app thread only
-    std::atomic<bool> stop_asked_{false};
+    std::atomic<bool> stop_requested_{false};
     std::atomic<bool> speaking_{false};
     std::atomic<std::uint32_t> owed_{0};  // bits of SpeechTopics: topics that take_owed() will return
-    double finish_speech_s_ = 0.0;        // written before stop_asked_ is set
+    double finish_speech_s_ = 0.0;        // written before stop_requested_ is set
     bool stopped_ = false;                // used by the app thread only
 
     std::mutex mutex_;  // protects inbox_, outbox_ and who_
@@ -117,7 +117,7 @@ private:
     // Events of the current tick; a member so that every tick reuses the vector's memory.
     std::vector<servo::ContactEvent> events_;
     std::uint64_t published_ = 0;  // the value of planner_.spoken_in_all() at the last publication of spoken lines
-    std::string told_who_;
+    std::string reported_who_;
     StepListener step_listener_;
 
     std::atomic<bool> drops_out_{false};  // from the audio thread to the app thread

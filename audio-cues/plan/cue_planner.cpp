@@ -118,10 +118,10 @@ void CuePlanner::tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& spe
     speak_waiting(inputs.now_s, speech);
     demonstrate(inputs.now_s, audio, speech);
     // 5. Writes sounds as text, after any spoken text about the same thing.
-    for (const SoundCue& cue : sounds_to_tell_)
-        if (std::string text = sound_words_.tell(cue, inputs.listener, inputs.now_s); !text.empty())
+    for (const SoundCue& cue : sounds_as_text_)
+        if (std::string text = sound_words_.describe(cue, inputs.listener, inputs.now_s); !text.empty())
             speech.write({.text = std::move(text), .speech_class = SpeechClass::Ambient});
-    sounds_to_tell_.clear();
+    sounds_as_text_.clear();
 }
 
 void CuePlanner::flush(double now_s, SpeechSink& speech) {
@@ -142,15 +142,15 @@ double CuePlanner::volume_of(SoundKind kind) const {
 }
 
 // Notes a sound for the text sinks. A sound that is switched off is not written either; a sound whose volume is low is.
-void CuePlanner::tell_sound(const SoundCue& cue) {
+void CuePlanner::add_as_text(const SoundCue& cue) {
     const SoundInfo& row = info(cue.kind);
     if (!settings_.sound.as_text || (row.on != nullptr && !(settings_.sound.*row.on))) return;
-    if (cue.loudness > 0.0) sounds_to_tell_.push_back(cue);
+    if (cue.loudness > 0.0) sounds_as_text_.push_back(cue);
     else sound_words_.forget(cue.kind, cue.source);
 }
 
 void CuePlanner::play(SoundCue cue, AudioSink& audio) {
-    tell_sound(cue);
+    add_as_text(cue);
     cue.loudness = std::clamp(cue.loudness, 0.0, 1.0) * volume_of(cue.kind);
     if (cue.kind == SoundKind::Alarm) cue.loudness = std::max(cue.loudness, kAlarmFloor);
     if (cue.loudness > 0.0) audio.play(cue);
@@ -173,9 +173,9 @@ void CuePlanner::touch(Hand& hand, const servo::ContactEvent& event) {
 
 // Updates the loops of the world's sounds. They follow the app's requests, the volume settings and a stop key.
 void CuePlanner::keep_world_sounds(AudioSink& audio) {
-    for (const SoundCue& asked : world_sounds_) {
-        SoundCue cue = asked;
-        tell_sound(hushed_ ? SoundCue{.kind = cue.kind, .loudness = 0.0, .source = cue.source} : cue);
+    for (const SoundCue& requested : world_sounds_) {
+        SoundCue cue = requested;
+        add_as_text(hushed_ ? SoundCue{.kind = cue.kind, .loudness = 0.0, .source = cue.source} : cue);
         cue.loudness = hushed_ ? 0.0 : cue.loudness * volume_of(cue.kind);
         audio.set_loop(cue);
     }
@@ -196,14 +196,14 @@ void CuePlanner::name_touched(std::size_t hand, const Naming& naming) {
     // hand that trembles between two surfaces would postpone the name for ever.
     const double due_s = naming.time_s + naming.settle_s;
     const auto& waits = order_.name_of(hand);
-    ask({.utterance = {.text = std::move(text),
-                       .speech_class = SpeechClass::Contact,
-                       .right_rad = side_of(naming.at_m)},
-         .asked_s = naming.time_s,
-         .due_s = waits ? std::min(waits->due_s, due_s) : due_s,
-         .expires_s = due_s + naming.keep_s,
-         .touched = naming.feature,
-         .hand = static_cast<std::uint8_t>(hand)});
+    submit({.utterance = {.text = std::move(text),
+                          .speech_class = SpeechClass::Contact,
+                          .right_rad = side_of(naming.at_m)},
+            .requested_s = naming.time_s,
+            .due_s = waits ? std::min(waits->due_s, due_s) : due_s,
+            .expires_s = due_s + naming.keep_s,
+            .touched = naming.feature,
+            .hand = static_cast<std::uint8_t>(hand)});
 }
 
 std::optional<double> CuePlanner::side_of(const Vec3& place_m) const {
@@ -287,7 +287,7 @@ void CuePlanner::on_contact(const servo::ContactEvent& event, AudioSink& audio) 
             // A fault that must be confirmed is announced again even if it returns at once, because the person has just
             // requested the force.
             alarm(whose(event.hand, servo::fault_sentence(event.fault)), event.time_s,
-                  !servo::passes_by_itself(event.fault), servo::is_gone(event.fault));
+                  !servo::passes_by_itself(event.fault), servo::is_lost(event.fault));
             return;
         case servo::ContactEventKind::RimPassed:
             play({.kind = SoundKind::Rim, .event_time_s = event.time_s}, audio);
@@ -312,22 +312,22 @@ void CuePlanner::on_contact(const servo::ContactEvent& event, AudioSink& audio) 
 }
 
 void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& audio, SpeechSink& speech) {
-    const double asked_s = request.time_s > 0.0 ? request.time_s : now_s;
+    const double requested_s = request.time_s > 0.0 ? request.time_s : now_s;
     SoundCue cue{.material = request.material,
                  .position_m = request.position_m,
                  .loudness = request.loudness,
-                 .event_time_s = asked_s,
+                 .event_time_s = requested_s,
                  .muffled_db = request.muffled_db,
                  .source = request.source};
     switch (request.kind) {
         case CueRequestKind::Say:
-            ask({.utterance = {.text = request.text,
-                               .speech_class = request.speech_class,
-                               .topic = request.topic,
-                               .right_rad = request.placed ? side_of(request.position_m) : std::nullopt},
-                 .asked_s = asked_s,
-                 .expires_s = asked_s + kKeepName_s,
-                 .repeatable = request.repeatable || request.speech_class == SpeechClass::Warning});
+            submit({.utterance = {.text = request.text,
+                                  .speech_class = request.speech_class,
+                                  .topic = request.topic,
+                                  .right_rad = request.placed ? side_of(request.position_m) : std::nullopt},
+                    .requested_s = requested_s,
+                    .expires_s = requested_s + kKeepName_s,
+                    .repeatable = request.repeatable || request.speech_class == SpeechClass::Warning});
             return;
         case CueRequestKind::Footstep:
             hushed_ = false;
@@ -346,8 +346,8 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             if (cue.material == SoundClass::Generic && feature != nullptr) cue.material = sound_of(feature->material);
             play(cue, audio);
             if (request.text.empty())
-                name_touched(0, {request.feature, asked_s, 0.0, kKeepBump_s, request.position_m, false});
-            else warn(request, asked_s, now_s, speech);
+                name_touched(0, {request.feature, requested_s, 0.0, kKeepBump_s, request.position_m, false});
+            else warn(request, requested_s, now_s, speech);
             return;
         }
         case CueRequestKind::WallTone: {
@@ -358,7 +358,7 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             cue.pulses_per_s =
                 kSlowestPulse_hz + (kFastestPulse_hz - kSlowestPulse_hz) * std::clamp(request.loudness, 0.0, 1.0);
             const bool on = cue.loudness > 0.0;
-            tell_sound(cue);
+            add_as_text(cue);
             if (on || wall_tone_on_) audio.set_loop(cue);
             wall_tone_on_ = on;
             return;
@@ -389,7 +389,7 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             cue.source = kDemonstration;
             if (cue.kind == SoundKind::WallTone) cue.pulses_per_s = 0.5 * (kSlowestPulse_hz + kFastestPulse_hz);
             demonstration_ = Demonstration{.cue = cue};
-            answer(request.text, asked_s);
+            answer(request.text, requested_s);
             return;
         case CueRequestKind::WorldSound: {
             cue.kind = request.sound;
@@ -404,22 +404,22 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
         }
         case CueRequestKind::Repeat: {
             press(now_s, speech);
-            ask({.utterance = {.text = spoken_.empty() ? phrase("voice.nothing_said") : spoken_.back().text,
-                               .topic = last_topic_},
-                 .asked_s = asked_s,
-                 .repeatable = true,
-                 .again = true});
+            submit({.utterance = {.text = spoken_.empty() ? phrase("voice.nothing_said") : spoken_.back().text,
+                                  .topic = last_topic_},
+                    .requested_s = requested_s,
+                    .repeatable = true,
+                    .again = true});
             return;
         }
         case CueRequestKind::HistoryBack:
         case CueRequestKind::HistoryForward:
             press(now_s, speech);
-            step_history(request.kind == CueRequestKind::HistoryBack, asked_s);
+            step_history(request.kind == CueRequestKind::HistoryBack, requested_s);
             return;
     }
 }
 
-void CuePlanner::ask(SpeechLine line) {
+void CuePlanner::submit(SpeechLine line) {
     const SpeechClass speech_class = line.utterance.speech_class;
     const bool always = speech_class == SpeechClass::Alarm || speech_class == SpeechClass::Answer ||
                         line.utterance.topic == SpeechTopic::Steps;
@@ -428,32 +428,32 @@ void CuePlanner::ask(SpeechLine line) {
     order_.add(std::move(line));
 }
 
-void CuePlanner::alarm(const std::string& text, double asked_s, bool repeatable, bool cuts) {
-    ask({.utterance = {.text = text, .speech_class = SpeechClass::Alarm},
-         .asked_s = asked_s,
-         .repeatable = repeatable,
-         .cuts = cuts});
+void CuePlanner::alarm(const std::string& text, double requested_s, bool repeatable, bool cuts) {
+    submit({.utterance = {.text = text, .speech_class = SpeechClass::Alarm},
+            .requested_s = requested_s,
+            .repeatable = repeatable,
+            .cuts = cuts});
 }
 
-void CuePlanner::answer(std::string text, double asked_s) {
-    ask({.utterance = {.text = std::move(text)}, .asked_s = asked_s, .repeatable = true});
+void CuePlanner::answer(std::string text, double requested_s) {
+    submit({.utterance = {.text = std::move(text)}, .requested_s = requested_s, .repeatable = true});
 }
 
 // Reports a blocked step. If the same text was spoken within kSayAgain_s, it is only written. A reader thus gets an
 // answer to each step, and a listener only the thud.
-void CuePlanner::warn(const CueRequest& request, double asked_s, double now_s, SpeechSink& speech) {
+void CuePlanner::warn(const CueRequest& request, double requested_s, double now_s, SpeechSink& speech) {
     if (settings_.speech.verbosity <= 0) return;
     const auto said = said_at_s_.find(speakable(request.text));
     if (said == said_at_s_.end() || now_s - said->second >= kSayAgain_s)
-        return ask({.utterance = {.text = request.text,
-                                  .speech_class = SpeechClass::Warning,
-                                  .right_rad = side_of(request.position_m)},
-                    .asked_s = asked_s,
-                    .repeatable = true});
+        return submit({.utterance = {.text = request.text,
+                                     .speech_class = SpeechClass::Warning,
+                                     .right_rad = side_of(request.position_m)},
+                       .requested_s = requested_s,
+                       .repeatable = true});
     said->second = now_s;
     SpeechLine again{.utterance = {.text = speakable(request.written.empty() ? request.text : request.written),
                                    .speech_class = SpeechClass::Warning},
-                     .asked_s = asked_s,
+                     .requested_s = requested_s,
                      .repeatable = true};
     if (keep_line(again, now_s)) speech.write(again.utterance);
 }
@@ -487,7 +487,7 @@ void CuePlanner::speak_waiting(double now_s, SpeechSink& speech) {
 
 // Moves one line back or forward in the list of spoken lines. If a new line has been spoken since the last call, the
 // list starts again at the newest line.
-void CuePlanner::step_history(bool back, double asked_s) {
+void CuePlanner::step_history(bool back, double requested_s) {
     std::vector<const SpokenLine*> lines;  // the newest line is first
     for (auto line = spoken_.rbegin(); line != spoken_.rend() && lines.size() < kMostHistory; ++line)
         if (!line->again) lines.push_back(&*line);
@@ -503,7 +503,7 @@ void CuePlanner::step_history(bool back, double asked_s) {
         back_ = wanted;
         text = phrase("voice.history", {{"text", lines[wanted - 1]->text}, {"number", wanted}, {"all", lines.size()}});
     }
-    ask({.utterance = {.text = std::move(text)}, .asked_s = asked_s, .repeatable = true, .again = true});
+    submit({.utterance = {.text = std::move(text)}, .requested_s = requested_s, .repeatable = true, .again = true});
 }
 
 bool CuePlanner::keep_line(const SpeechLine& line, double now_s) {

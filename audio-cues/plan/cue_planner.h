@@ -140,9 +140,9 @@ private:
     void on_contact(const servo::ContactEvent& event, AudioSink& audio);
     void on_request(const CueRequest& request, double now_s, AudioSink& audio, SpeechSink& speech);
     // Passes `line` to order_, unless its text has no speakable character or verbosity 0 forbids the line.
-    void ask(SpeechLine line);
-    void alarm(const std::string& text, double asked_s, bool repeatable, bool cuts = false);
-    void answer(std::string text, double asked_s);
+    void submit(SpeechLine line);
+    void alarm(const std::string& text, double requested_s, bool repeatable, bool cuts = false);
+    void answer(std::string text, double requested_s);
     void press(double now_s, SpeechSink& speech);  // a key was pressed: ends the line that is being spoken
     void write_unspoken(double now_s, SpeechSink& speech);
     // What one hand touches, and the state of its sounds.
@@ -171,7 +171,7 @@ private:
     void demonstrate(double now_s, AudioSink& audio, const SpeechSink& speech);
     void end_demonstration(AudioSink& audio);
     void speak_waiting(double now_s, SpeechSink& speech);
-    void step_history(bool back, double asked_s);
+    void step_history(bool back, double requested_s);
     // Returns false if the same text was spoken within the last 5 s.
     bool keep_line(const SpeechLine& line, double now_s);
     void say_now(const SpeechLine& line, double now_s, SpeechSink& speech);
@@ -180,8 +180,8 @@ private:
     std::optional<double> side_of(const Vec3& place_m) const;
     double volume_of(SoundKind kind) const;  // 0 if the sound is switched off
     void play(SoundCue cue, AudioSink& audio);
-    void tell_sound(const SoundCue& cue);
-    void warn(const CueRequest& request, double asked_s, double now_s, SpeechSink& speech);
+    void add_as_text(const SoundCue& cue);
+    void warn(const CueRequest& request, double requested_s, double now_s, SpeechSink& speech);
     SoundClass sound_of(MaterialId material) const;
 
     settings::Settings settings_;
@@ -205,7 +205,7 @@ private:
     bool hushed_ = false;  // true after SilenceAll, until the next event
     bool left_foot_ = false;
     SoundWords sound_words_;
-    std::vector<SoundCue> sounds_to_tell_;  // sounds of the current tick that are also written as text
+    std::vector<SoundCue> sounds_as_text_;  // sounds of the current tick that are also written as text
     struct Demonstration {
         SoundCue cue;
         bool playing = false;  // true while the demonstrated loop is playing

@@ -47,7 +47,7 @@ std::string side_of(const Vec3& place_m, const Listener& ears) {
 
 }  // namespace
 
-std::string SoundWords::tell(const SoundCue& cue, const Listener& ears, double now_s) {
+std::string SoundWords::describe(const SoundCue& cue, const Listener& ears, double now_s) {
     if (has_words_of_its_own(cue.kind)) return {};
     std::string text, side;
     if (cue.kind == SoundKind::Footstep) {
@@ -63,15 +63,15 @@ std::string SoundWords::tell(const SoundCue& cue, const Listener& ears, double n
     if (!side.empty()) text = phrase("words.joined", {{"one", text}, {"other", side}});
     // All three beacon sounds have one name, and a change between them is no new sound.
     const SoundKind kind = is_beacon(cue.kind) ? SoundKind::Beacon : cue.kind;
-    Told& told = told_[{kind, cue.source}];
-    const bool same = told.text == text;
+    Described& described = described_[{kind, cue.source}];
+    const bool same = described.text == text;
     const bool steps = cue.kind == SoundKind::Footstep;
     const double wait_s = goes_on(cue.kind) ? kGoesOn_s : kBeats_s;
-    if (same && (steps || now_s - told.time_s < wait_s)) return {};
+    if (same && (steps || now_s - described.time_s < wait_s)) return {};
     // Waits before it reports a continuing sound again. Otherwise a person who turns on the spot would get a line for
     // every sound whenever its direction changes.
-    if (!same && goes_on(cue.kind) && !told.text.empty() && now_s - told.time_s < kBeats_s) return {};
-    told = {text, now_s};
+    if (!same && goes_on(cue.kind) && !described.text.empty() && now_s - described.time_s < kBeats_s) return {};
+    described = {text, now_s};
     return text;
 }
 

@@ -18,16 +18,16 @@ public:
 
     // Returns the text for a sound that starts, or for a loop that sounds or changes. Returns an empty text if there is
     // nothing new.
-    std::string tell(const SoundCue& cue, const Listener& ears, double now_s);
+    std::string describe(const SoundCue& cue, const Listener& ears, double now_s);
     // Call it when a loop has ended. The loop is then reported again when it returns.
-    void forget(SoundKind kind, std::uint32_t source) { told_.erase({kind, source}); }
+    void forget(SoundKind kind, std::uint32_t source) { described_.erase({kind, source}); }
 
 private:
-    struct Told {
+    struct Described {
         std::string text;
         double time_s = 0.0;
     };
-    std::map<std::pair<SoundKind, std::uint32_t>, Told> told_;
+    std::map<std::pair<SoundKind, std::uint32_t>, Described> described_;
 };
 
 }  // namespace handrail::cues

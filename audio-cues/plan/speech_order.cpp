@@ -40,7 +40,7 @@ void SpeechOrder::queue(std::deque<SpeechLine>& lines, SpeechLine line, std::siz
 void SpeechOrder::add(SpeechLine line) {
     line.key = keys_;
     if (line.utterance.topic == SpeechTopic::Steps) {
-        line.expires_s = line.asked_s + kKeepSteps_s;
+        line.expires_s = line.requested_s + kKeepSteps_s;
         if (steps_) drop(std::move(*steps_));
         steps_ = std::move(line);
         return;
@@ -190,7 +190,7 @@ std::optional<SpeechLine> SpeechOrder::next_of_the_rest(double now_s) {
     // A hint is never kept for later, because by then it may be out of date. Only a hint that was requested at the same
     // time as the current one waits for its end.
     if (hints_.empty() || (current_ && current_->utterance.speech_class == SpeechClass::Ambient &&
-                           current_->asked_s == hints_.front().asked_s))
+                           current_->requested_s == hints_.front().requested_s))
         return std::nullopt;
     drop_all(hints_);
     return std::nullopt;

@@ -18,8 +18,8 @@ namespace handrail::cues {
 
 struct SpeechLine {
     Utterance utterance;
-    double asked_s = 0.0;  // time of the request or event
-    double due_s = 0.0;    // earliest time at which the line may be spoken
+    double requested_s = 0.0;  // time of the request or event
+    double due_s = 0.0;        // earliest time at which the line may be spoken
     // For Contact: until this time the line waits in any case, and after it only while the hand touches the thing.
     double expires_s = 0.0;
     bool repeatable = false;

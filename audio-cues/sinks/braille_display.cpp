@@ -87,7 +87,7 @@ struct BrailleDisplay::Worker {
         if (brlapi__getDisplaySize(handle.get(), &columns, &rows) < 0) return lose();
         const unsigned cells = columns * rows;
         if (cells == 0) {
-            if (holds_tty) tell_of_loss();
+            if (holds_tty) report_loss();
             leave_tty();
             return;
         }
@@ -152,7 +152,7 @@ struct BrailleDisplay::Worker {
         while ((got = brlapi__readKey(handle.get(), 0, &code)) > 0) {
             switch (code & BRLAPI_KEY_CODE_MASK & ~brlapi_keyCode_t{BRLAPI_KEY_CMD_ARG_MASK}) {
                 case BRLAPI_KEY_CMD_ROUTE:
-                    ++shared.link->more_asked;
+                    ++shared.link->more_requested;
                     continue;
                 default:
                     break;
@@ -177,13 +177,13 @@ struct BrailleDisplay::Worker {
     }
 
     void lose() {
-        if (holds_tty) tell_of_loss();
+        if (holds_tty) report_loss();
         holds_tty = false;  // set to false so that no leave request is sent over a broken connection
         close();
         look_again_s = now_s() + kRetry_s;
     }
 
-    void tell_of_loss() {
+    void report_loss() {
         const std::lock_guard lock(shared.mutex);
         shared.lost = true;
     }

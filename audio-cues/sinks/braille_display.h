@@ -39,7 +39,7 @@ struct BrailleLink {
     // X id of Handrail's window; the display shows Handrail while this window has the keyboard focus. 0: not known yet.
     std::atomic<unsigned> window{0};
     // Number of presses of a routing key. Each press requests more about the current message.
-    std::atomic<int> more_asked{0};
+    std::atomic<int> more_requested{0};
 
 private:
     mutable std::mutex list_mutex_;

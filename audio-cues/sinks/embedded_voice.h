@@ -19,7 +19,7 @@ public:
         : channel_(std::move(channel)), audible_(std::move(audible)), settings_(settings) {}
 
     settings::SpeechThrough through() const override { return settings::SpeechThrough::Embedded; }
-    VoiceState state() const override { return voice_ && audible_() ? VoiceState::Ready : VoiceState::Gone; }
+    VoiceState state() const override { return voice_ && audible_() ? VoiceState::Ready : VoiceState::Unavailable; }
     void want(bool wanted) override;  // opens the voice when it is first requested, which takes about 3 ms
 
     void say(const cues::Utterance& utterance) override;

@@ -27,12 +27,12 @@ bool leads_by_sound(cues::SoundKind kind) {
 // The state of the sink. Impl chooses the device and notices when the device is lost or found again. Its members
 // `voices`, `speech` and `room` make the sound.
 struct OpenALSink::Impl {
-    Impl(const Options& asked, std::shared_ptr<VoiceChannel> channel)
-        : options(asked),
-          device(asked.device, asked.hrtf, asked.hrtf_set),
+    Impl(const Options& requested, std::shared_ptr<VoiceChannel> channel)
+        : options(requested),
+          device(requested.device, requested.hrtf, requested.hrtf_set),
           voices(hearing, room, kMostSounds),
           speech(std::move(channel)),
-          mix(device, asked.on_render) {}
+          mix(device, requested.on_render) {}
     ~Impl() { close(); }
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
@@ -54,7 +54,7 @@ struct OpenALSink::Impl {
     bool drops_out = false;
     std::optional<std::string> news;
     // The message that there is no sound. It is kept until the person needs sound to find their way.
-    std::optional<std::string> untold;
+    std::optional<std::string> unreported;
 
     Result<void> open() {
         if (options.output == Output::Device && open_playback()) return {};
@@ -129,7 +129,7 @@ struct OpenALSink::Impl {
             if (!device.playback_is_there()) return;
             change_device();
             lost = !device.is_open() || device.is_loopback();
-            if (!lost) untold.reset();
+            if (!lost) unreported.reset();
             if (!lost)
                 news = never_had ? phrase("sound_output.here_now", {{"device", device.name()}})
                                  : phrase("sound_output.back", {{"device", device.name()}});
@@ -145,7 +145,7 @@ Result<std::unique_ptr<OpenALSink>> OpenALSink::open(std::shared_ptr<VoiceChanne
     auto impl = std::make_unique<Impl>(options, std::move(voice));
     if (auto opened = impl->open(); !opened) return tl::unexpected(opened.error());
     if (options.output == Output::Device && impl->device.is_loopback()) {
-        impl->untold = phrase("sound_output.none_found");
+        impl->unreported = phrase("sound_output.none_found");
         impl->lost = true;  // lets tick() search for a sound card, which may be plugged in later
         impl->never_had = true;
     }
@@ -156,7 +156,7 @@ Result<std::unique_ptr<OpenALSink>> OpenALSink::open(std::shared_ptr<VoiceChanne
 
 void OpenALSink::play(const cues::SoundCue& cue) {
     // The person needs sound only to follow a sound, so the sink announces missing sound only when such a sound is due.
-    if (leads_by_sound(cue.kind) && impl_->untold) impl_->news = std::exchange(impl_->untold, std::nullopt);
+    if (leads_by_sound(cue.kind) && impl_->unreported) impl_->news = std::exchange(impl_->unreported, std::nullopt);
     if (impl_->device.is_open()) impl_->voices.play(cue);
 }
 

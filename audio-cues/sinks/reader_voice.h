@@ -36,7 +36,7 @@ private:
 
     mutable std::mutex mutex_;  // protects all members below
     bool wanted_ = false;
-    VoiceState state_ = VoiceState::Gone;
+    VoiceState state_ = VoiceState::Unavailable;
     std::optional<cues::Utterance> waiting_;
     std::mutex call_mutex_;  // protects call_
     std::function<void()> call_;

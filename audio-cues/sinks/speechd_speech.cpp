@@ -34,7 +34,7 @@ struct SpeechdSpeech::Shared : ServerClient {
 
     // The mutex protects the members below.
     bool wanted = false;
-    VoiceState state = VoiceState::Gone;
+    VoiceState state = VoiceState::Unavailable;
     std::string language;
     std::optional<cues::Utterance> job;  // only the newest text, because a new text cuts off the last one
     bool silence = false;
@@ -72,9 +72,9 @@ EndListener& end_listener() {
 }
 
 void on_end_event(std::size_t message, std::size_t client, SPDNotificationType) {
-    EndListener& way_back = end_listener();
-    const std::lock_guard lock(way_back.mutex);
-    if (const auto of = way_back.of.lock()) way_back.on_end(of.get(), message, client);
+    EndListener& route_back = end_listener();
+    const std::lock_guard lock(route_back.mutex);
+    if (const auto of = route_back.of.lock()) route_back.on_end(of.get(), message, client);
 }
 
 }  // namespace
@@ -118,10 +118,10 @@ struct SpeechdSpeech::Worker {
             shared.client = static_cast<std::size_t>(client);
             shared.message = shared.message_ended = 0;
         }
-        const bool told = call([&] { return spd_set_notification_on(connection.get(), SPD_END); }) == 0 &&
-                          call([&] { return spd_set_notification_on(connection.get(), SPD_CANCEL); }) == 0;
-        if (told) speak(wanted_language);
-        return told;
+        const bool notifies = call([&] { return spd_set_notification_on(connection.get(), SPD_END); }) == 0 &&
+                              call([&] { return spd_set_notification_on(connection.get(), SPD_CANCEL); }) == 0;
+        if (notifies) speak(wanted_language);
+        return notifies;
     }
 
     // Sets the language of the text, because the person's default voice may have another one. Which voice speaks the
@@ -209,7 +209,7 @@ struct SpeechdSpeech::Worker {
                 const bool usable = open(wanted_language);
                 if (!usable) close();
                 else retry_s = kFirstRetry_s;
-                set_state(usable ? VoiceState::Ready : VoiceState::Gone);
+                set_state(usable ? VoiceState::Ready : VoiceState::Unavailable);
                 if (!usable) {
                     wait(retry_s);
                     retry_s = std::min(2.0 * retry_s, kSlowestRetry_s);
@@ -217,7 +217,7 @@ struct SpeechdSpeech::Worker {
                 continue;
             }
             if (work_off() && wait(-1.0)) continue;
-            set_state(VoiceState::Gone);
+            set_state(VoiceState::Unavailable);
             close();
             wait(retry_s);
         }
@@ -227,16 +227,16 @@ struct SpeechdSpeech::Worker {
     void set_state(VoiceState state) {
         const std::lock_guard lock(shared.mutex);
         shared.state = state;
-        if (state == VoiceState::Gone) shared.job.reset();
+        if (state == VoiceState::Unavailable) shared.job.reset();
     }
 };
 
 void SpeechdSpeech::work(const std::shared_ptr<Shared>& shared) {
     {
-        EndListener& way_back = end_listener();
-        const std::lock_guard lock(way_back.mutex);
-        way_back.of = shared;
-        way_back.on_end = [](void* of, std::size_t message, std::size_t client) {
+        EndListener& route_back = end_listener();
+        const std::lock_guard lock(route_back.mutex);
+        route_back.of = shared;
+        route_back.on_end = [](void* of, std::size_t message, std::size_t client) {
             static_cast<Shared*>(of)->on_end(message, client);
         };
     }
@@ -262,7 +262,7 @@ void SpeechdSpeech::want(bool wanted) {
     {
         const std::lock_guard lock(shared_->mutex);
         if (std::exchange(shared_->wanted, wanted) == wanted) return;
-        shared_->state = wanted ? VoiceState::Opening : VoiceState::Gone;
+        shared_->state = wanted ? VoiceState::Opening : VoiceState::Unavailable;
     }
     shared_->rouse();
 }
@@ -310,7 +310,7 @@ void SpeechdSpeech::tick(double now_s) {
     }
     if (now_s - watched_since_s_ < kStalled_s) return;
     // Shutting the connection down makes the pending call fail, so that the thread returns and tries again later.
-    shared_->state = VoiceState::Gone;
+    shared_->state = VoiceState::Unavailable;
     shared_->finished = shared_->said;
     if (shared_->socket >= 0) ::shutdown(shared_->socket, SHUT_RDWR);
 }

@@ -42,7 +42,7 @@ TextSpeech::~TextSpeech() { drain(200); }
 void TextSpeech::write(const cues::Utterance& utterance) {
     const char* prefix = utterance.speech_class == cues::SpeechClass::Alarm ? "alert: " : "say: ";
     const std::string line = prefix + utterance.text + '\n';
-    if (gone_ || backlog_.size() + line.size() > kMostBacklog) return;
+    if (reader_left_ || backlog_.size() + line.size() > kMostBacklog) return;
     backlog_ += line;
     drain(0);
 }
@@ -50,13 +50,13 @@ void TextSpeech::write(const cues::Utterance& utterance) {
 void TextSpeech::tick(double /*now_s*/) { drain(0); }
 
 void TextSpeech::drain(int timeout_ms) {
-    while (!gone_ && !backlog_.empty()) {
+    while (!reader_left_ && !backlog_.empty()) {
         pollfd ready{.fd = fd_, .events = POLLOUT, .revents = 0};
         const int polled = ::poll(&ready, 1, timeout_ms);
         if (polled < 0 && errno == EINTR) continue;
         if (polled == 0) return;
         if (polled < 0 || (ready.revents & (POLLERR | POLLHUP | POLLNVAL)) != 0) {
-            gone_ = true;
+            reader_left_ = true;
             break;
         }
         // A pipe that poll() reports as ready accepts PIPE_BUF bytes without waiting. A larger write could block, so no
@@ -64,10 +64,10 @@ void TextSpeech::drain(int timeout_ms) {
         const ssize_t put =
             write_without_sigpipe(fd_, backlog_.data(), std::min<std::size_t>(backlog_.size(), PIPE_BUF));
         if (put < 0 && errno == EAGAIN) return;
-        if (put < 0) gone_ = true;
+        if (put < 0) reader_left_ = true;
         else backlog_.erase(0, static_cast<std::size_t>(put));
     }
-    if (gone_) backlog_.clear();
+    if (reader_left_) backlog_.clear();
 }
 
 void TeeSpeech::say(const cues::Utterance& utterance) {

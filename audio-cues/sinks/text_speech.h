@@ -29,13 +29,13 @@ public:
     bool speaking() const override { return false; }
     void tick(double now_s) override;
 
-    bool reader_gone() const { return gone_; }
+    bool reader_left() const { return reader_left_; }
 
 private:
     void drain(int timeout_ms);
 
     int fd_;
-    bool gone_ = false;
+    bool reader_left_ = false;
     std::string backlog_;
 };
 

@@ -12,7 +12,7 @@ namespace handrail::sinks {
 enum class VoiceState {
     Opening,  // the voice is still connecting; a text given to it now would be lost
     Ready,
-    Gone,  // the voice is unavailable; while it is requested, it tries again automatically
+    Unavailable,  // the voice is unavailable; while it is requested, it tries again automatically
 };
 
 class Voice : public cues::SpeechSink {

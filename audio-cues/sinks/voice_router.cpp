@@ -37,11 +37,11 @@ bool VoiceRouter::allowed(settings::SpeechThrough voice) const { return voice >=
 
 void VoiceRouter::want_what_is_allowed() {
     for (const auto& voice : voices_) voice->want(allowed(voice->through()));
-    asked_at_s_.reset();
+    requested_at_s_.reset();
 }
 
 bool VoiceRouter::waits_for_better(const Voice* best) const {
-    const double waited_s = asked_at_s_ ? now_s_ - *asked_at_s_ : 0.0;
+    const double waited_s = requested_at_s_ ? now_s_ - *requested_at_s_ : 0.0;
     for (const auto& voice : voices_) {
         if (voice.get() == best) return false;
         if (allowed(voice->through()) && voice->state() == VoiceState::Opening && waited_s < voice->patience_s())
@@ -79,7 +79,7 @@ bool VoiceRouter::speaking() const { return owed_ || (active_ && active_->speaki
 
 void VoiceRouter::tick(double now_s) {
     now_s_ = now_s;
-    if (!asked_at_s_) asked_at_s_ = now_s;
+    if (!requested_at_s_) requested_at_s_ = now_s;
     if (text_) text_->tick(now_s);
     if (braille_) braille_->tick(now_s);
     for (const auto& voice : voices_) voice->tick(now_s);
@@ -106,12 +106,12 @@ void VoiceRouter::hand_over_to(Voice* next) {
     if (current_) owed_ = std::exchange(current_, std::nullopt);
     if (!next) owed_.reset();
     if (braille_) braille_->want(!next || next->through() != settings::SpeechThrough::ScreenReader);
-    tell_change(before, next);
+    report_change(before, next);
     chosen_ = true;
     choosing_again_ = false;
 }
 
-void VoiceRouter::tell_change(const Voice* before, const Voice* after) {
+void VoiceRouter::report_change(const Voice* before, const Voice* after) {
     const std::string voice = after ? voice_name(after->through()) : std::string();
     const bool lost = before && before->state() != VoiceState::Ready && !choosing_again_;
     if (lost) {

@@ -49,16 +49,16 @@ private:
     bool waits_for_better(const Voice* best) const;
     void want_what_is_allowed();
     void hand_over_to(Voice* next);
-    void tell_change(const Voice* before, const Voice* after);
+    void report_change(const Voice* before, const Voice* after);
 
     std::vector<std::unique_ptr<Voice>> voices_;
     std::unique_ptr<cues::SpeechSink> text_;
     std::unique_ptr<BrailleSink> braille_;
     settings::SpeechThrough through_;
-    Voice* active_ = nullptr;           // the voice that speaks now, one of voices_; null: none
-    bool chosen_ = false;               // true once a voice has been chosen for the first time
-    bool choosing_again_ = false;       // the settings have changed, so a change of voice is no loss
-    std::optional<double> asked_at_s_;  // time when each voice was last told whether it is requested
+    Voice* active_ = nullptr;               // the voice that speaks now, one of voices_; null: none
+    bool chosen_ = false;                   // true once a voice has been chosen for the first time
+    bool choosing_again_ = false;           // the settings have changed, so a change of voice is no loss
+    std::optional<double> requested_at_s_;  // time when each voice was last told whether it is requested
     double now_s_ = 0.0;
     std::optional<cues::Utterance> current_;  // utterance that the active voice received and may not have finished
     std::optional<cues::Utterance> owed_;     // utterance to be repeated as soon as a voice is available

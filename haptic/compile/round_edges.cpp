@@ -410,7 +410,7 @@ private:
                 return true;
             };
             if (std::any_of(here.begin(), here.end(), is_filed) && std::none_of(here.begin(), here.end(), is_flat) &&
-                ball_reaches(p, normal, 1.3 * widest_m))
+                sphere_reaches(p, normal, 1.3 * widest_m))
                 return true;
         }
         return false;
@@ -418,7 +418,7 @@ private:
 
     // Returns true if a ball that touches the surface at `p` from inside is wholly inside the building. The test uses
     // sample points on the ball.
-    bool ball_reaches(const Vec3& p, const Vec3& normal, double radius_m) {
+    bool sphere_reaches(const Vec3& p, const Vec3& normal, double radius_m) {
         constexpr int kPlaces = 60;
         const Vec3 middle = p - normal * radius_m;
         index_.find(grown(Aabb{middle, middle}, radius_m), around_);

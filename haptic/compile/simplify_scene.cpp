@@ -20,12 +20,12 @@ constexpr double kFrame_m = 0.1;    // depth of frames and skirtings at a doorwa
 constexpr double kStrip_m = 0.15;
 constexpr double kLeastLeaf_m = 1.0;  // least height of a door leaf; lower leaves are hatches and flaps
 // How far the opening may extend beyond its leaf on each side, in addition to half the leaf's width.
-constexpr double kBesideLeaf_m = 0.5;
+constexpr double kNextToLeaf_m = 0.5;
 constexpr double kWidestChord_m = 6.0;  // longest line across an opening without a door, from wall to wall
 // Number of distances at which the search steps aside, in each of eight directions, from the point where the rooms
 // meet.
-constexpr int kPlacesBeside = 4;
-constexpr double kBeside_m = 0.15;    // distance between two such steps
+constexpr int kPlacesNextTo = 4;
+constexpr double kNextTo_m = 0.15;    // distance between two such steps
 constexpr double kHighest_m = 4.0;    // greatest distance from the middle of an opening to its floor or ceiling
 constexpr double kAtAThing_m = 0.25;  // greatest distance from a mark or sound source to the thing that it belongs to
 // Least width of a thing, as a share of the whole world's width, from which on it is never left out, because the world
@@ -195,7 +195,7 @@ private:
         for (std::size_t i = 0; i < places.size(); ++i)
             places[i] = opening.along * middle_s + opening.left() * middle_t +
                         Vec3(0.0, 0.0, z[0] + length(z) * (0.2 + 0.3 * static_cast<double>(i)));
-        const double reach_m = 1.5 * length(s) + kBesideLeaf_m;
+        const double reach_m = 1.5 * length(s) + kNextToLeaf_m;
         Sides sides = look_aside(opening.along, places, reach_m);
         // If the leaf is sunk into its frame, the probes start inside the wall. The leaf's own width is then the width
         // of the opening.
@@ -250,12 +250,12 @@ private:
     void find_opening(int number) {
         // Two rooms may meet in the wall, but often they meet before or behind it. So the search finds the shortest
         // line that ends at walls on both sides, then turns the line perpendicular to the wall at its end.
-        const Vec3 told = options_.openings_m[static_cast<std::size_t>(number)];
-        Vec3 soles = told, way(0.0);
+        const Vec3 given_m = options_.openings_m[static_cast<std::size_t>(number)];
+        Vec3 soles = given_m, way(0.0);
         double shortest_m = kWidestChord_m;
-        for (int at = 0; at <= 8 * kPlacesBeside && !stop_.stop_requested(); ++at) {
-            const double aside_m = kBeside_m * ((at + 7) / 8);
-            const Vec3 place = told + forward_of_heading(radians_from_degrees(45.0 * at)) * aside_m;
+        for (int at = 0; at <= 8 * kPlacesNextTo && !stop_.stop_requested(); ++at) {
+            const double aside_m = kNextTo_m * ((at + 7) / 8);
+            const Vec3 place = given_m + forward_of_heading(radians_from_degrees(45.0 * at)) * aside_m;
             const int step_deg = at == 0 ? 5 : 15;
             for (int degrees = 90; degrees > -90; degrees -= step_deg) {
                 const Vec3 towards = forward_of_heading(radians_from_degrees(degrees));

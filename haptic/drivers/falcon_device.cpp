@@ -205,7 +205,7 @@ Result<void> FalconDevice::upload(std::span<const std::uint8_t> image) {
     Patience patience(clock_.now_s());
     for (std::size_t at = 0; at < image.size(); at += kPieceBytes) {
         if (patience.due(clock_.now_s()))
-            tell(phrase("drivers.falcon_sending", {{"percent", static_cast<int>(100 * at / image.size())}}));
+            report(phrase("drivers.falcon_sending", {{"percent", static_cast<int>(100 * at / image.size())}}));
         const auto piece = image.subspan(at, std::min(kPieceBytes, image.size() - at));
         if (link_->write(piece, kLoadingDeadlineS) != static_cast<int>(piece.size()) ||
             !echoed(piece, clock_.now_s() + kLoadingDeadlineS))
@@ -219,8 +219,8 @@ Result<void> FalconDevice::upload(std::span<const std::uint8_t> image) {
     return fail(phrase("drivers.falcon_asleep"));
 }
 
-void FalconDevice::tell(const std::string& sentence) const {
-    if (options_.tell) options_.tell(sentence);
+void FalconDevice::report(const std::string& sentence) const {
+    if (options_.report) options_.report(sentence);
 }
 
 Result<void> FalconDevice::open() {
@@ -245,13 +245,13 @@ Result<void> FalconDevice::open() {
             return fail(phrase("drivers.falcon_needs_firmware", {{"folder", falcon_firmware_folder().string()}}));
         Result<void> done = fail("");
         for (int attempt = 1; attempt <= kUploadTries && !done && !lost_; ++attempt) {
-            tell(attempt == 1 ? phrase("drivers.falcon_waking") : phrase("drivers.falcon_try", {{"n", attempt}}));
+            report(attempt == 1 ? phrase("drivers.falcon_waking") : phrase("drivers.falcon_try", {{"n", attempt}}));
             done = upload({reinterpret_cast<const std::uint8_t*>(image.data()), image.size()});
         }
         if (!done) return done;
     }
     answered_s_ = clock_.now_s();
-    tell(phrase(status_.homed_legs == 7 ? "drivers.falcon_ready" : "drivers.falcon_awake"));
+    report(phrase(status_.homed_legs == 7 ? "drivers.falcon_ready" : "drivers.falcon_awake"));
     return {};
 }
 

@@ -24,7 +24,8 @@ struct FalconOptions {
     // Motor counts per newton metre. The true figure is unpublished, and sources differ by a factor of four. The open
     // driver uses 10,000.
     double counts_per_nm = 10000.0;
-    std::function<void(const std::string&)> tell;  // receives progress sentences while the device starts; may be empty
+    // Receives progress sentences while the device starts; may be empty.
+    std::function<void(const std::string&)> report;
 };
 
 // Returns the usual paths of the firmware file: HANDRAIL_FALCON_FIRMWARE, the person's data folder, the machine's data
@@ -78,7 +79,7 @@ private:
     void send(const std::array<int, 3>& motors) noexcept;
     bool says_hello() noexcept;
     Result<void> upload(std::span<const std::uint8_t> image);
-    void tell(const std::string& sentence) const;
+    void report(const std::string& sentence) const;
     bool echoed(std::span<const std::uint8_t> sent, double deadline_s) noexcept;
     std::size_t take(std::span<std::uint8_t> room, double deadline_s) noexcept;
     void forget_place() noexcept;

@@ -66,9 +66,11 @@ public:
         effect_.direction = static_cast<std::uint16_t>(std::lround((turns - std::floor(turns)) * 65536.0) & 0xffff);
         return upload_and_play();
     }
-    bool stop() noexcept override { return effect_.id < 0 || tell(EV_FF, static_cast<std::uint16_t>(effect_.id), 0); }
+    bool stop() noexcept override {
+        return effect_.id < 0 || write_event(EV_FF, static_cast<std::uint16_t>(effect_.id), 0);
+    }
     bool gain(double wanted) noexcept override {
-        return tell(EV_FF, FF_GAIN, static_cast<int>(std::lround(share(wanted) * 0xffff)));
+        return write_event(EV_FF, FF_GAIN, static_cast<int>(std::lround(share(wanted) * 0xffff)));
     }
 
     bool poll(Stick& stick) noexcept override {
@@ -106,9 +108,9 @@ private:
         const bool is_new = effect_.id < 0;
         effect_.replay.length = 0;  // 0: the effect lasts until it is replaced or stopped
         if (::ioctl(fd_, EVIOCSFF, &effect_) < 0) return false;
-        return !is_new || tell(EV_FF, static_cast<std::uint16_t>(effect_.id), 1);
+        return !is_new || write_event(EV_FF, static_cast<std::uint16_t>(effect_.id), 1);
     }
-    bool tell(std::uint16_t type, std::uint16_t code, int value) noexcept {
+    bool write_event(std::uint16_t type, std::uint16_t code, int value) noexcept {
         input_event event{};
         event.type = type;
         event.code = code;

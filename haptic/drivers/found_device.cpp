@@ -243,7 +243,7 @@ Result<std::unique_ptr<device::HapticDevice>> open_force_stick() {
 // Opens a Falcon. If `firmware_files` is empty, it opens only a Falcon whose firmware already runs.
 Result<std::unique_ptr<device::HapticDevice>> open_falcon(std::string_view serial, Clock& clock,
                                                           std::vector<std::filesystem::path> firmware_files,
-                                                          const std::function<void(const std::string&)>& tell) {
+                                                          const std::function<void(const std::string&)>& report) {
     const auto plugged = list_usb_devices(kFalconIds);
     if (!plugged) return tl::unexpected(plugged.error());
     const auto wanted = std::find_if(plugged->begin(), plugged->end(),
@@ -254,7 +254,7 @@ Result<std::unique_ptr<device::HapticDevice>> open_falcon(std::string_view seria
     if (!link) return tl::unexpected(link.error());
     FalconOptions options;
     options.firmware_files = std::move(firmware_files);
-    options.tell = tell;
+    options.report = report;
     auto device = std::make_unique<FalconDevice>(std::move(*link), clock, std::move(options));
     if (const auto opened = device->open(); !opened) return tl::unexpected(opened.error());
     return std::unique_ptr<device::HapticDevice>(std::move(device));
@@ -321,8 +321,8 @@ bool is_found_only_by_opening(std::string_view name) {
 }
 
 Result<std::unique_ptr<device::HapticDevice>> open_device(std::string_view name, std::string_view serial, Clock& clock,
-                                                          const std::function<void(const std::string&)>& tell) {
-    if (name == "falcon") return open_falcon(serial, clock, falcon_firmware_files(), tell);
+                                                          const std::function<void(const std::string&)>& report) {
+    if (name == "falcon") return open_falcon(serial, clock, falcon_firmware_files(), report);
     if (is_found_only_by_opening(name)) return open_hd_device();
     if (name == "omega" || name == "sigma" || name == "lambda" || name == "delta") return open_dhd_device();
     if (name == "inverse3") return open_haply_device(clock);

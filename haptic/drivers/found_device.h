@@ -70,7 +70,7 @@ bool is_meant(const FoundDevice& device, std::string_view name_or_serial);
 
 // Opens a kinesthetic device by name, and by serial number if one is given. Only the guard process calls it.
 Result<std::unique_ptr<device::HapticDevice>> open_device(std::string_view name, std::string_view serial, Clock& clock,
-                                                          const std::function<void(const std::string&)>& tell);
+                                                          const std::function<void(const std::string&)>& report);
 // Opens the device, sends it zero force and closes it. The second guard does only this. Succeeds only if the device
 // accepted the zero and answered.
 Result<void> zero_device(std::string_view name, std::string_view serial, Clock& clock);

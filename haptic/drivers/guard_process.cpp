@@ -78,7 +78,7 @@ bool write_oom_score(std::string_view score) noexcept {
 // Asks the kernel not to kill this process when memory runs out. The kernel kills the process that frees the most
 // memory. A guard frees little, but without it a force could remain on. Only administrators may set a score below zero,
 // but every process may lower the raised score that desktops give their programs.
-bool ask_to_be_spared() noexcept { return write_oom_score(kNever) || (write_oom_score(kLikeAnyOther), false); }
+bool request_sparing() noexcept { return write_oom_score(kNever) || (write_oom_score(kLikeAnyOther), false); }
 
 void protect(HandMailbox& mailbox, int priority) {
     lower_limit(RLIMIT_CORE, 0);
@@ -92,11 +92,11 @@ void protect(HandMailbox& mailbox, int priority) {
         ::pthread_attr_destroy(&threads);
     }
     if (!lock_all_memory()) mailbox.memory_locked = false;
-    if (!ask_to_be_spared()) mailbox.spared = false;
-    sched_param wish{};
-    wish.sched_priority = priority;
+    if (!request_sparing()) mailbox.spared = false;
+    sched_param scheduling{};
+    scheduling.sched_priority = priority;
     // If the system refuses, the thread keeps ordinary scheduling, which is less punctual.
-    ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wish);
+    ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &scheduling);
 }
 
 // Maps the mailbox. Returns null if the descriptor is not a mailbox, or if another process could shrink it while it is
@@ -117,8 +117,8 @@ HandMailbox* map_mailbox(int fd) noexcept {
 NamedDevices devices_of_this_machine(Clock& clock) {
     return {
         [&clock](const std::string& name, const std::string& serial,
-                 const std::function<void(const std::string&)>& tell) {
-            return open_device(name, serial, clock, tell);
+                 const std::function<void(const std::string&)>& report) {
+            return open_device(name, serial, clock, report);
         },
         [&clock](const std::string& name, const std::string& serial) { return zero_device(name, serial, clock); },
         [](const std::string& name) { return guard_permissions(name); },
@@ -166,7 +166,7 @@ int guard_process(int argc, char** argv, const NamedDevices& devices) {
     (void)confine::confine(devices.permissions(name));
     return guard_hand(
         *mailbox, third_fd, life_fd,
-        [&](const std::function<void(const std::string&)>& tell) { return devices.open(name, serial, tell); },
+        [&](const std::function<void(const std::string&)>& report) { return devices.open(name, serial, report); },
         [] { ::_exit(3); });
 }
 

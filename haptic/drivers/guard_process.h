@@ -18,7 +18,7 @@ namespace handrail::drivers {
 struct NamedDevices {
     // Finds and opens a device, and reports progress in sentences.
     std::function<Result<std::unique_ptr<device::HapticDevice>>(const std::string& name, const std::string& serial,
-                                                                const std::function<void(const std::string&)>& tell)>
+                                                                const std::function<void(const std::string&)>& report)>
         open;
     // Opens the device, sends zero force and closes it. Succeeds only if the device accepted the zero.
     std::function<Result<void>(const std::string& name, const std::string& serial)> zero;

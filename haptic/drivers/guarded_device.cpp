@@ -149,7 +149,7 @@ Result<void> GuardedDevice::wait_for_ready(int life_fd, double deadline_s) {
         if (!message) return fail(phrase("guard.ended", {{"device", spec_.spoken_name()}}));
         if (message->kind == GuardMessage::Ready) return {};
         if (message->kind == GuardMessage::Failed) return fail(message->sentence);
-        if (tell_) tell_(message->sentence);
+        if (report_) report_(message->sentence);
         news_.push_back(message->sentence);
     }
 }
@@ -157,7 +157,7 @@ Result<void> GuardedDevice::wait_for_ready(int life_fd, double deadline_s) {
 Result<void> GuardedDevice::open() {
     if (life_fd_ >= 0 && guard_lives()) return {};
     close();
-    may_push_ = told_may_push_ = false;
+    may_push_ = may_push_reported_ = false;
     reliefs_left_ = kMostReliefs;
     zeroing_since_s_ = SteadyClock().now_s();
     const double deadline_s = SteadyClock().now_s() + kOpenS;
@@ -296,7 +296,7 @@ std::vector<std::string> GuardedDevice::take_news() {
         may_push_ = true;
     }
     notice_long_zeroing();
-    if (may_push_ && !std::exchange(told_may_push_, true))
+    if (may_push_ && !std::exchange(may_push_reported_, true))
         news_.push_back(phrase("guard.may_still_push",
                                {{"device", spec_.spoken_name()},
                                 {"reason", why_not_zero_.empty() ? phrase("guard.no_answer") : why_not_zero_}}));
@@ -317,10 +317,10 @@ void GuardedDevice::notice_long_zeroing() {
 }
 
 void GuardedDevice::watch_guards(const std::stop_token& end) {
-    sched_param wish{};
-    wish.sched_priority = kWatchPriority;
+    sched_param scheduling{};
+    scheduling.sched_priority = kWatchPriority;
     // If the system refuses, the thread keeps ordinary scheduling, which is less punctual.
-    ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wish);
+    ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &scheduling);
     StillCount guard(mailbox_->beats.load(std::memory_order_acquire));
     StillCount relief(mailbox_->relief_beats.load(std::memory_order_acquire));
     bool relief_beats = true;  // the second guard has beaten since its start

@@ -45,9 +45,9 @@ public:
 
     // Makes a waiting open() fail at once. If none is waiting, makes the next open() fail. Any thread.
     void give_up() noexcept { given_up_.store(true, std::memory_order_release); }
-    // While open() waits, it passes each of the guard's sentences to `tell`, on the thread that called open().
+    // While open() waits, it passes each of the guard's sentences to `report`, on the thread that called open().
     // take_news() returns these sentences, too.
-    void tell_while_opening(std::function<void(const std::string&)> tell) { tell_ = std::move(tell); }
+    void report_while_opening(std::function<void(const std::string&)> report) { report_ = std::move(report); }
     // Returns the guard's sentences since the last call, for example that the device starts or was plugged in again.
     std::vector<std::string> take_news();
     pid_t guard_process() const { return guard_; }
@@ -97,12 +97,12 @@ private:
     mutable std::mutex mutex_;  // protects relief_, relief_life_fd_ and news_ while watch_ runs
     std::jthread watch_;
     int reliefs_left_ = 0;  // how many more second guards may be started as replacements
-    bool may_push_ = false, told_may_push_ = false;
+    bool may_push_ = false, may_push_reported_ = false;
     double zeroing_since_s_ = 0.0;  // when the second guard began to be late with the zero; app thread
     std::string why_not_zero_;
     std::atomic<bool> given_up_{false};
     std::vector<std::string> news_;
-    std::function<void(const std::string&)> tell_;
+    std::function<void(const std::string&)> report_;
     // The sample that read() returned last. Only the servo thread uses it.
     device::DeviceSample last_;
 };

@@ -85,8 +85,8 @@ void send_message(int life_fd, GuardMessage kind, const std::string& sentence) {
 int guard_hand(HandMailbox& mailbox, int wake_fd, int life_fd, const OpenDevice& open_device,
                const std::function<void()>& stuck) {
     const SteadyClock clock;
-    const auto tell = [life_fd](const std::string& sentence) { send_message(life_fd, GuardMessage::News, sentence); };
-    auto opened = open_device(tell);
+    const auto report = [life_fd](const std::string& sentence) { send_message(life_fd, GuardMessage::News, sentence); };
+    auto opened = open_device(report);
     if (!opened) {
         send_message(life_fd, GuardMessage::Failed, opened.error().sentence());
         return 1;
@@ -125,7 +125,7 @@ int guard_hand(HandMailbox& mailbox, int wake_fd, int life_fd, const OpenDevice&
             mailbox.answer.publish(answer);
         } else if (!device) {
             if (now_s - looked_s >= kLookAgainS) {
-                auto again = open_device(tell);
+                auto again = open_device(report);
                 looked_s = clock.now_s();
                 if (again) {
                     device = std::move(*again);

@@ -26,7 +26,7 @@ inline constexpr double kStuckS = 0.25;
 
 // Finds and opens the device, also after the device was unplugged and plugged in again. Reports progress in sentences.
 using OpenDevice =
-    std::function<Result<std::unique_ptr<device::HapticDevice>>(const std::function<void(const std::string&)>& tell)>;
+    std::function<Result<std::unique_ptr<device::HapticDevice>>(const std::function<void(const std::string&)>& report)>;
 
 // The first byte of each message from the guard to the program. A sentence follows it.
 enum class GuardMessage : char { News = 'n', Ready = 'r', Failed = 'f' };

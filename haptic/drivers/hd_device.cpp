@@ -155,8 +155,8 @@ private:
     }
 
     void name_model() {
-        const char* told = call_.get_string(kModel);
-        const std::string model = lower_ascii(told ? told : "");
+        const char* stated = call_.get_string(kModel);
+        const std::string model = lower_ascii(stated ? stated : "");
         const char* row = model.find("premium") != std::string::npos   ? "phantom-premium"
                           : model.find("desktop") != std::string::npos ? "phantom-desktop"
                           : model.find("omni") != std::string::npos    ? "omni"

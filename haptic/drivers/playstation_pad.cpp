@@ -159,9 +159,10 @@ std::optional<PadInput> parse_pad_input(PadModel model, PadBus bus, std::span<co
     } else {
         if (report.size() != kBluetoothReport || report[0] != (sense ? 0x31 : 0x11)) return std::nullopt;
         const auto body = report.first(report.size() - kChecksum), sum = report.last(kChecksum);
-        const std::uint32_t told = sum[0] | static_cast<std::uint32_t>(sum[1]) << 8 |
-                                   static_cast<std::uint32_t>(sum[2]) << 16 | static_cast<std::uint32_t>(sum[3]) << 24;
-        if (told != pad_checksum(kInputCrc, body)) return std::nullopt;
+        const std::uint32_t stated = sum[0] | static_cast<std::uint32_t>(sum[1]) << 8 |
+                                     static_cast<std::uint32_t>(sum[2]) << 16 |
+                                     static_cast<std::uint32_t>(sum[3]) << 24;
+        if (stated != pad_checksum(kInputCrc, body)) return std::nullopt;
         at = sense ? 2 : 3;
     }
     const auto block = report.subspan(at);

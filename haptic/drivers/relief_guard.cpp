@@ -80,23 +80,23 @@ int relieve_guard(HandMailbox& mailbox, int guard_fd, int life_fd, const ZeroDev
     }
     const SteadyClock clock;
     const double begun_s = clock.now_s();
-    for (bool told = false;;) {
+    for (bool reported = false;;) {
         const auto zeroed = zero_device();
         if (zeroed) {
             mailbox.relief = ReliefState::Zero;
             return 0;
         }
         const double tried_s = clock.now_s() - begun_s;
-        if (tried_s > kZeroTriesS && !std::exchange(told, true)) {
+        if (tried_s > kZeroTriesS && !std::exchange(reported, true)) {
             // The reason is sent before the state changes, because a reader that sees the new state reads the reason at
             // once.
             send_message(life_fd, GuardMessage::Failed, zeroed.error().sentence());
             mailbox.relief = ReliefState::Failed;
         }
         pollfd program{life_fd, POLLRDHUP, 0};
-        const bool program_gone = told && ::poll(&program, 1, 0) > 0;
+        const bool program_gone = reported && ::poll(&program, 1, 0) > 0;
         if (tried_s > kZeroKeepsTryingS || program_gone) return 1;
-        std::this_thread::sleep_for(told ? kBetweenLateTries : kBetweenTries);
+        std::this_thread::sleep_for(reported ? kBetweenLateTries : kBetweenTries);
     }
 }
 

@@ -53,7 +53,7 @@ bool SpaceMouse::take(std::span<const std::uint8_t> report, double now_s) noexce
         default:
             return false;
     }
-    told_s_ = now_s;
+    reported_s_ = now_s;
     return true;
 }
 
@@ -65,7 +65,7 @@ const PuckState& SpaceMouse::poll(double now_s) noexcept {
         if (size <= 0) break;
         take(std::span(room).first(static_cast<std::size_t>(size)), now_s);
     }
-    if (lost_ || now_s - told_s_ > kSilentAfterS) state_.move = state_.turn = Vec3(0.0);
+    if (lost_ || now_s - reported_s_ > kSilentAfterS) state_.move = state_.turn = Vec3(0.0);
     if (lost_) state_.buttons = 0;
     return state_;
 }

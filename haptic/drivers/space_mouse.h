@@ -43,7 +43,7 @@ public:
 private:
     std::unique_ptr<HidLink> link_;
     PuckState state_;
-    double told_s_ = -1.0;
+    double reported_s_ = -1.0;
     bool lost_ = false;
 };
 

@@ -145,9 +145,9 @@ struct Body {
     render::Stick stick;
     // Present mass for the inertia. While both hands push the body, it may be greater than the body's mass.
     double inertial_kg = 0.0;
-    bool waiting = false;  // the engine holds it still until fewer bodies move
-    bool forced = false;   // at least one of the forces below acts in this step
-    bool told = false;     // the engine has reported its pose since it last moved
+    bool waiting = false;   // the engine holds it still until fewer bodies move
+    bool forced = false;    // at least one of the forces below acts in this step
+    bool reported = false;  // the engine has reported its pose since it last moved
     Vec3 kept_m_per_s{0.0}, kept_rad_per_s{0.0};
     std::optional<btTransform> sleeps_at;  // pose at which it fell asleep; empty while it is awake
     // Forces and torques in this step, from each hand, from the keyboard's grip (lead) and from the walker (shove).
@@ -367,8 +367,8 @@ struct Dynamics::Impl {
     void note_touched();
     FeatureId feature_of(const btCollisionObject& object, int child) const;
     void hear_body(std::size_t i, const Touched& t, std::vector<render::BodyEvent>& events);
-    void tell(render::DynamicsFrame& out);
-    void tell_near(render::DynamicsFrame& out, unsigned hand);
+    void report(render::DynamicsFrame& out);
+    void report_near(render::DynamicsFrame& out, unsigned hand);
     void add_planes(render::DynamicsFrame& out);
     void jam(const btCollisionObject& thing, const btVector3& to_body, const btManifoldPoint& contact);
 };
@@ -417,9 +417,9 @@ void Dynamics::Impl::apply_lead(const Lead& lead) {
     const btRigidBody& r = *body.rigid;
     body.forced = true;
     const Vec3 away = at_most(lead.to_m - ours(r.getWorldTransform().getOrigin()), 0.5);
-    const Vec3 wish = (away * (kRate * kRate) - ours(r.getLinearVelocity()) * (2.0 * kRate)) * is.nature.mass_kg -
-                      scene->gravity_m_per_s2 * is.nature.mass_kg;
-    body.lead_n = at_most(is.ball ? Vec3(wish.x, wish.y, std::min(wish.z, 0.0)) : wish, lead.most_n);
+    const Vec3 wanted_n = (away * (kRate * kRate) - ours(r.getLinearVelocity()) * (2.0 * kRate)) * is.nature.mass_kg -
+                          scene->gravity_m_per_s2 * is.nature.mass_kg;
+    body.lead_n = at_most(is.ball ? Vec3(wanted_n.x, wanted_n.y, std::min(wanted_n.z, 0.0)) : wanted_n, lead.most_n);
     if (!is.ball) {
         const PlacedFrame frame(ours(r.getWorldTransform()));
         const Vec3 turn = turn_between(ours(r.getWorldTransform()).rotation, lead.turn) * (kRate * kRate) -
@@ -747,7 +747,7 @@ void Dynamics::Impl::hear_body(std::size_t i, const Touched& t, std::vector<rend
     }
 }
 
-void Dynamics::Impl::tell_near(render::DynamicsFrame& out, unsigned hand) {
+void Dynamics::Impl::report_near(render::DynamicsFrame& out, unsigned hand) {
     out.near_count[hand] = 0;
     if (!hands[hand].present()) return;
     auto& order = world->order;
@@ -763,35 +763,35 @@ void Dynamics::Impl::tell_near(render::DynamicsFrame& out, unsigned hand) {
         const std::uint32_t i = order[k].second;
         const Body& body = world->bodies[i];
         const render::DynamicsBody& is = scene->bodies[i];
-        render::RigidBodyState& word = out.near[hand][k];
-        word = {};
-        word.body = i;
-        word.time_s = out.time_s;
-        word.at = ours(body.rigid->getWorldTransform());
-        word.at.position_m += scene->origin_m;
-        word.speed_m_per_s = ours(body.rigid->getLinearVelocity());
-        word.turn_rad_per_s = ours(body.rigid->getAngularVelocity());
-        word.mass_kg = body.inertial_kg;
-        word.inertia_kg_m2 = is.inertia_kg_m2 * (body.inertial_kg / is.nature.mass_kg);
-        word.gravity_m_per_s2 = scene->gravity_m_per_s2 * (is.nature.mass_kg / body.inertial_kg);
-        word.others_n = body.hand_n[1 - hand] + body.lead_n + body.shove_n;
-        word.others_nm = body.hand_nm[1 - hand] + body.lead_nm;
+        render::RigidBodyState& reported = out.near[hand][k];
+        reported = {};
+        reported.body = i;
+        reported.time_s = out.time_s;
+        reported.at = ours(body.rigid->getWorldTransform());
+        reported.at.position_m += scene->origin_m;
+        reported.speed_m_per_s = ours(body.rigid->getLinearVelocity());
+        reported.turn_rad_per_s = ours(body.rigid->getAngularVelocity());
+        reported.mass_kg = body.inertial_kg;
+        reported.inertia_kg_m2 = is.inertia_kg_m2 * (body.inertial_kg / is.nature.mass_kg);
+        reported.gravity_m_per_s2 = scene->gravity_m_per_s2 * (is.nature.mass_kg / body.inertial_kg);
+        reported.others_n = body.hand_n[1 - hand] + body.lead_n + body.shove_n;
+        reported.others_nm = body.hand_nm[1 - hand] + body.lead_nm;
         if (is.nature.string) {
-            word.string_at_m = is.nature.string->at_m + scene->origin_m;
-            word.string_n_per_m = is.nature.string->stiffness_n_per_m;
-            word.string_ns_per_m = render::string_damping_ns_per_m(is.nature);
+            reported.string_at_m = is.nature.string->at_m + scene->origin_m;
+            reported.string_n_per_m = is.nature.string->stiffness_n_per_m;
+            reported.string_ns_per_m = render::string_damping_ns_per_m(is.nature);
         }
-        word.sticks = is.nature.friction > 0.0 ? is.nature.friction_static / is.nature.friction : 1.0;
-        word.rolling_m = is.nature.rolling * is.half_width_m;
-        word.gap_m = order[k].first < -1e5 ? order[k].first + 1e6 : order[k].first;
+        reported.sticks = is.nature.friction > 0.0 ? is.nature.friction_static / is.nature.friction : 1.0;
+        reported.rolling_m = is.nature.rolling * is.half_width_m;
+        reported.gap_m = order[k].first < -1e5 ? order[k].first + 1e6 : order[k].first;
     }
     out.near_count[hand] = static_cast<std::uint8_t>(count);
 }
 
 // Adds the contacts of the reported bodies as planes. If there are too many, the deepest stay.
 void Dynamics::Impl::add_planes(render::DynamicsFrame& out) {
-    const auto gap = [](const render::RigidBodyState& word, const render::ContactPlane& plane) {
-        return glm::dot(plane.normal, PlacedFrame(word.at).to_world(plane.own_m)) - plane.offset_m;
+    const auto gap = [](const render::RigidBodyState& reported, const render::ContactPlane& plane) {
+        return glm::dot(plane.normal, PlacedFrame(reported.at).to_world(plane.own_m)) - plane.offset_m;
     };
     for (int m = 0; m < world->dispatcher.getNumManifolds(); ++m) {
         const btPersistentManifold& manifold = *world->dispatcher.getManifoldByIndexInternal(m);
@@ -803,8 +803,8 @@ void Dynamics::Impl::add_planes(render::DynamicsFrame& out) {
             const render::DynamicsBody& is = scene->bodies[index];
             for (unsigned hand = 0; hand < 2; ++hand)
                 for (std::size_t w = 0; w < out.near_count[hand]; ++w) {
-                    render::RigidBodyState& word = out.near[hand][w];
-                    if (word.body != index) continue;
+                    render::RigidBodyState& reported = out.near[hand][w];
+                    if (reported.body != index) continue;
                     for (int k = 0; k < manifold.getNumContacts(); ++k) {
                         const btManifoldPoint& p = manifold.getContactPoint(k);
                         const btVector3 there = other.getWorldTransform() * (side ? p.m_localPointA : p.m_localPointB);
@@ -822,23 +822,23 @@ void Dynamics::Impl::add_planes(render::DynamicsFrame& out) {
                                 ours(moving->getVelocityInLocalPoint(there - moving->getWorldTransform().getOrigin()));
                         plane.round = is.ball;
                         plane.radius_m = is.ball ? is.half_width_m : 0.0;
-                        if (word.count < render::RigidBodyState::kMostPlanes) {
-                            word.planes[word.count++] = plane;
+                        if (reported.count < render::RigidBodyState::kMostPlanes) {
+                            reported.planes[reported.count++] = plane;
                             continue;
                         }
                         auto shallow =
-                            std::max_element(word.planes.begin(), word.planes.end(),
+                            std::max_element(reported.planes.begin(), reported.planes.end(),
                                              [&](const render::ContactPlane& a, const render::ContactPlane& b) {
-                                                 return gap(word, a) < gap(word, b);
+                                                 return gap(reported, a) < gap(reported, b);
                                              });
-                        if (gap(word, plane) < gap(word, *shallow)) *shallow = plane;
+                        if (gap(reported, plane) < gap(reported, *shallow)) *shallow = plane;
                     }
                 }
         }
     }
 }
 
-void Dynamics::Impl::tell(render::DynamicsFrame& out) {
+void Dynamics::Impl::report(render::DynamicsFrame& out) {
     out.number = steps;
     out.game = game;
     out.time_s = now_s();
@@ -847,16 +847,16 @@ void Dynamics::Impl::tell(render::DynamicsFrame& out) {
     for (std::size_t i = 0; i < world->bodies.size(); ++i) {
         Body& body = world->bodies[i];
         const bool active = body.rigid->isActive();
-        if (body.told && !active) continue;
-        body.told = !active;
+        if (body.reported && !active) continue;
+        body.reported = !active;
         Placement thing = render::thing_of(scene->bodies[i], ours(body.rigid->getWorldTransform()));
         thing.position_m += scene->origin_m;
         if (std::exchange(things[i], thing) == thing) continue;
         out.moved.push_back(static_cast<std::uint32_t>(i));
     }
     out.things = things;
-    tell_near(out, 0);
-    tell_near(out, 1);
+    report_near(out, 0);
+    report_near(out, 1);
     add_planes(out);
     out.blocked = render::kNoBody;
     for (std::size_t i = world->driven.size(); i-- > 0;)
@@ -962,7 +962,7 @@ void Dynamics::step(render::DynamicsFrame& out, std::vector<render::BodyEvent>& 
     s.hear(events);
     for (std::size_t i = 0; i < s.world->bodies.size(); ++i) s.put_back(i, events);
     s.limit_awake(out);
-    s.tell(out);
+    s.report(out);
 }
 
 void Dynamics::restart() {

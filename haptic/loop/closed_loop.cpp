@@ -76,8 +76,9 @@ LoopTick ClosedLoop::tick(const Intent& intent, const Render& render) {
     for (int i = 0; i < kSteps; ++i) {
         const double now_s = begin_s + i * step_s;
         const Vec3 motor_n = held_.at(now_s), before = body_.position_m;
-        const HandIntent wish = intent(now_s);
-        device::advance_hand(body_, settings_.hand, wish.target_m + tremor_m(now_s), motor_n + wish.push_n, step_s);
+        const HandIntent intended = intent(now_s);
+        device::advance_hand(body_, settings_.hand, intended.target_m + tremor_m(now_s), motor_n + intended.push_n,
+                             step_s);
         last_.work_j += glm::dot(motor_n, body_.position_m - before);
     }
     ++periods_;

@@ -20,7 +20,7 @@ constexpr double kInertiaLongestStep_s = 5e-3;
 constexpr double kForceRamp_s = 0.100;
 constexpr double kVibrationRamp_s = 0.010;
 // Share of the device's stiffness that effects may use near a wall. The wall's own stiffness is added to theirs.
-constexpr double kBesideObstacle = 0.6;
+constexpr double kNextToObstacle = 0.6;
 
 // A potential energy and its slope over hand travel.
 struct Potential {
@@ -315,7 +315,7 @@ EffectState::Slot& EffectState::slot_of(std::uint32_t effect) noexcept {
 Vec3 EffectState::one_force(const EffectVolume& effect, Slot& slot, const Vec3& at_m, const HandMotion& hand) noexcept {
     const double room = effect.inner_radius_m / hand.scale;
     const Inside in = inside_of(effect.region, at_m, edge_hand_m(effect, room) * hand.scale);
-    const double budget = hand.stiffest_n_per_m * (effect.by_obstacle ? kBesideObstacle : 1.0);
+    const double budget = hand.stiffest_n_per_m * (effect.by_obstacle ? kNextToObstacle : 1.0);
     const double share = effect.crowd_stiffness_n_per_m > budget ? budget / effect.crowd_stiffness_n_per_m : 1.0;
     if (hand.held) slot.time_s += hand.dt_s;
     else slot.time_s = 0.0;

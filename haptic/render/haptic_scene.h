@@ -142,10 +142,10 @@ struct BodyPose {
 };
 
 // A rough bound for a body that moves from one pose to another. The origin of its frame is never farther than
-// half_way_m from middle_m.
+// half_path_m from middle_m.
 struct MovingBody {
     std::uint32_t body = 0;
-    double half_way_m = 0.0;
+    double half_path_m = 0.0;
     double most_scale = 1.0;
     Vec3 middle_m{0.0};  // middle of the movement, world
 };

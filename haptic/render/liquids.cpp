@@ -54,11 +54,11 @@ Vec3 LiquidState::drag_n(const HapticScene& scene, const HandMotion& hand, const
     // Overlapping volumes are weighted in reverse order of the list. Where one of them thins out towards its own
     // surface, the next volume gets the remaining weight, so that neighbouring volumes form one pool.
     constexpr std::size_t kMost = 8;
-    struct WetVolume {
+    struct Immersed {
         std::uint32_t volume;
         double share;
     };
-    std::array<WetVolume, kMost> wet;
+    std::array<Immersed, kMost> immersed;
     std::size_t count = 0;
     std::uint32_t inside_of = 0;
     bool inside_any = false;
@@ -76,15 +76,15 @@ Vec3 LiquidState::drag_n(const HapticScene& scene, const HandMotion& hand, const
         const double share = smooth_step((depth + reach) / (2.0 * reach));
         if (share <= 0.0 || count == kMost) return;
         std::size_t place = count++;
-        for (; place > 0 && wet[place - 1].volume < item; --place) wet[place] = wet[place - 1];
-        wet[place] = {item, share};
+        for (; place > 0 && immersed[place - 1].volume < item; --place) immersed[place] = immersed[place - 1];
+        immersed[place] = {item, share};
     });
     if (inside_any) in = scene.liquids[inside_of].feature;
     double left = 1.0;
     Bath bath;
     for (std::size_t i = 0; i < count; ++i) {
-        const LiquidVolume& liquid = scene.liquids[wet[i].volume];
-        const double share = std::min(left, wet[i].share);
+        const LiquidVolume& liquid = scene.liquids[immersed[i].volume];
+        const double share = std::min(left, immersed[i].share);
         bath.viscosity_ns_per_m += share * liquid.viscosity_ns_per_m;
         bath.flow_hand_m_per_s += liquid.flow_hand_m_per_s * share;
         if (liquid.crowd_stiffness_n_per_m > hand.stiffest_n_per_m)
@@ -107,7 +107,7 @@ Vec3 LiquidState::drag_n(const HapticScene& scene, const HandMotion& hand, const
     return drag_offset_hand_m_ * stiffness;
 }
 
-Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_local_m) noexcept {
+Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, const Vec3& proxy_local_m) noexcept {
     const double a = kImmersion_hand_m * hand.scale;
     const Vec3 goal = hand.goal_m - scene.origin_m;
 
@@ -115,7 +115,7 @@ Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, co
     // may be deep in the pool's wall or next to the pool.
     const auto carries = [&](const LiquidVolume& liquid) {
         for (std::size_t i = 0; i < liquid.planes.size(); ++i)
-            if (signed_distance(liquid.planes[i], ball_local_m) >
+            if (signed_distance(liquid.planes[i], proxy_local_m) >
                 (static_cast<int>(i) == liquid.surface ? 2.0 * a : 0.0))
                 return false;
         return true;
@@ -126,7 +126,7 @@ Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, co
         if (floats_[k].gate <= 0.0) floats_[k] = floats_[--float_count_];
     }
     Vec3 force(0.0);
-    scene.liquid_bvh.within(ball_local_m, 2.0 * a, [&](std::uint32_t item, double&) {
+    scene.liquid_bvh.within(proxy_local_m, 2.0 * a, [&](std::uint32_t item, double&) {
         const LiquidVolume& liquid = scene.liquids[item];
         if (liquid.surface < 0 || liquid.buoyancy_n <= 0.0 || !carries(liquid)) return;
         std::size_t k = 0;
@@ -171,17 +171,17 @@ Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, co
     return force;
 }
 
-Vec3 LiquidState::force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_local_m,
+Vec3 LiquidState::force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& proxy_local_m,
                           FeatureId& in) noexcept {
     in = kNoFeature;
-    if (scene.liquids.empty() || surely_dry(scene, ball_local_m, hand.scale)) return Vec3(0.0);
+    if (scene.liquids.empty() || surely_dry(scene, proxy_local_m, hand.scale)) return Vec3(0.0);
     if (world_ != scene.world || liquids_ != scene.liquids.size()) {
         world_ = scene.world;
         liquids_ = scene.liquids.size();
         float_count_ = 0;
     }
-    Vec3 force = drag_n(scene, hand, ball_local_m, in);
-    if (scene.liquid_surfaces) force += surface_n(scene, hand, ball_local_m);
+    Vec3 force = drag_n(scene, hand, proxy_local_m, in);
+    if (scene.liquid_surfaces) force += surface_n(scene, hand, proxy_local_m);
     return force;
 }
 

@@ -14,13 +14,13 @@ namespace handrail::render {
 class LiquidState {
 public:
     void reset() noexcept;
-    // Returns the force on the hand. `ball_local_m` is the centre of the proxy in the scene's own coordinates. Sets
+    // Returns the force on the hand. `proxy_local_m` is the centre of the proxy in the scene's own coordinates. Sets
     // `in` to the volume that contains the proxy. If several volumes contain it, `in` is the last one listed.
-    Vec3 force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_local_m, FeatureId& in) noexcept;
+    Vec3 force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& proxy_local_m, FeatureId& in) noexcept;
     // Returns true, at little cost, if the proxy is still near the place where the last search found no liquid.
     // force_n() would then find no liquid and change nothing. May return false even if force_n() would find none.
-    bool surely_dry(const HapticScene& scene, const Vec3& ball_local_m, double scale) const noexcept {
-        const Vec3 way = ball_local_m - looked_from_m_;
+    bool surely_dry(const HapticScene& scene, const Vec3& proxy_local_m, double scale) const noexcept {
+        const Vec3 way = proxy_local_m - looked_from_m_;
         const double free = nearest_m_ - kImmersion_hand_m * scale;
         return free > 0.0 && glm::dot(way, way) < free * free && looked_generation_ == scene.generation &&
                !scene.liquid_surfaces;
@@ -36,8 +36,8 @@ private:
         double gate = 0.0;  // rises over 100 ms while the proxy is in the pool, and falls while it is outside
     };
 
-    Vec3 drag_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_local_m, FeatureId& in) noexcept;
-    Vec3 surface_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_local_m) noexcept;
+    Vec3 drag_n(const HapticScene& scene, const HandMotion& hand, const Vec3& proxy_local_m, FeatureId& in) noexcept;
+    Vec3 surface_n(const HapticScene& scene, const HandMotion& hand, const Vec3& proxy_local_m) noexcept;
 
     Vec3 drag_offset_hand_m_{0.0};  // position of the dragged point relative to the hand; zero if no liquid is near
     // In the scene with generation looked_generation_, no liquid is nearer to looked_from_m_ than nearest_m_.

@@ -124,7 +124,7 @@ void ProxySolver::track_coming(const HapticScene& scene, const Request& request)
         if (b >= tracks_.bodies) continue;
         // A cheap first check, with the middle of the movement, excludes most bodies because they are far away.
         const Vec3 off = moving.middle_m - here;
-        const double beyond = tracks_.far_m + moving.half_way_m + scene.bodies[b].reach_m * moving.most_scale;
+        const double beyond = tracks_.far_m + moving.half_path_m + scene.bodies[b].reach_m * moving.most_scale;
         if (glm::dot(off, off) > beyond * beyond || tracks_.follows(b)) continue;
         const double distance = least_distance_m(scene, request, b, tracks_.far_from_m);
         if (distance < tracks_.far_m && !track_body(scene, request, b))
@@ -291,7 +291,7 @@ void ProxySolver::advance_bodies(const HapticScene& scene, const Request& reques
 // Moves all bodies by one sub-step. Returns false and moves no body if there was no time to gather the obstacles that
 // come near.
 bool ProxySolver::sub_step(const HapticScene& scene, const Request& request, double radius_m, double part) noexcept {
-    Vec3 wish = ball_m_;
+    Vec3 target = proxy_m_;
     bool any = false;
     for (const std::uint16_t b : tracks_.ids()) {
         ProxyTrack& track = tracks_.of(b);
@@ -303,29 +303,29 @@ bool ProxySolver::sub_step(const HapticScene& scene, const Request& request, dou
         stand(scene, track, part == 1.0 ? track.to : between(track.from, track.to, part));
         if (cuts_.one_sided > 0) turn_sheets_of(scene, b, before);
         track.reach_m = scene.bodies[b].reach_m * track.frame.scale;
-        if (carrier_ == b) wish = track.frame.to_world(before.to_own(local_m())) - anchor_m_;
+        if (carrier_ == b) target = track.frame.to_world(before.to_own(local_m())) - anchor_m_;
     }
     if (!any) return true;
     spend(kSubStepWork);
     spend_on_tracked(kCarryWork);
-    const double carried = glm::length(wish - ball_m_);
+    const double carried = glm::length(target - proxy_m_);
     // The sum of half a radius for the push by a body, the radius itself, and a reserve of half a radius.
     const double needed = 2.0 * radius_m + carried;
-    if (known_around(ball_m_) < needed) {
-        const Vec3 was = ball_m_;
+    if (known_around(proxy_m_) < needed) {
+        const Vec3 was = proxy_m_;
         gather(scene, needed + std::max(request.margin_m, 2.0 * request.path_cap_m), needed);
-        wish += ball_m_ - was;
+        target += proxy_m_ - was;
     }
     // Everything that comes near in a sub-step must be a candidate. Otherwise the proxy would touch an obstacle that it
     // does not know.
-    if (tracks_.unknown || known_around(ball_m_) < 1.5 * radius_m_ + carried) {
+    if (tracks_.unknown || known_around(proxy_m_) < 1.5 * radius_m_ + carried) {
         for (const std::uint16_t b : tracks_.ids())
             if (ProxyTrack& track = tracks_.of(b); track.moved) stand(scene, track, track.before);
         renew_moved_cuts(scene);
         return false;
     }
     renew_moved_cuts(scene);
-    make_room(scene, wish);
+    make_room(scene, target);
     return true;
 }
 
@@ -340,25 +340,25 @@ void ProxySolver::renew_moved_cuts(const HapticScene& scene) noexcept {
         cuts_.planes[at] = {
             normal, cuts_.own_planes[at].offset_m * frame.scale + glm::dot(normal, frame.position_m - anchor_m_)};
         work_.left -= kTurnWork;
-        if (glm::dot(normal, ball_m_) - cuts_.planes[at].offset_m >= radius_m_) continue;
+        if (glm::dot(normal, proxy_m_) - cuts_.planes[at].offset_m >= radius_m_) continue;
         double distance = 0.0;
-        keep_cut(i, support(scene, i, ball_m_, distance));
+        keep_cut(i, support(scene, i, proxy_m_, distance));
         work_.left -= kSupportWork;
     }
     spend(0);
 }
 
-// Moves the proxy to the free place nearest to `wish_m`. If there is no such place, the proxy shrinks as little as
+// Moves the proxy to the free place nearest to `target_m`. If there is no such place, the proxy shrinks as little as
 // possible. If it does not fit even with the smallest radius, the moving bodies pass through it.
-void ProxySolver::make_room(const HapticScene& scene, const Vec3& wish_m) noexcept {
+void ProxySolver::make_room(const HapticScene& scene, const Vec3& target_m) noexcept {
     ProjectionBasis room;
     const auto fits = [&] {
         room.count = 0;
-        return project_many(wish_m, room);
+        return project_many(target_m, room);
     };
     const auto take = [&] {
-        step_.pushed = step_.pushed || room.point_m != ball_m_;
-        ball_m_ = room.point_m;
+        step_.pushed = step_.pushed || room.point_m != proxy_m_;
+        proxy_m_ = room.point_m;
     };
     if (fits()) return take();
     for (int i = 0; i < cuts_.count; ++i) {
@@ -366,9 +366,9 @@ void ProxySolver::make_room(const HapticScene& scene, const Vec3& wish_m) noexce
         // If time is short, renews only the cuts that the proxy violates. A smaller proxy then fits at its present
         // place.
         const HalfSpace held = wall(i);
-        if (work_.left <= 0 && glm::dot(held.normal, ball_m_) >= held.offset_m) continue;
+        if (work_.left <= 0 && glm::dot(held.normal, proxy_m_) >= held.offset_m) continue;
         double distance = 0.0;
-        keep_cut(i, support(scene, i, ball_m_, distance));
+        keep_cut(i, support(scene, i, proxy_m_, distance));
         spend(kSupportWork);
     }
     if (fits()) return take();
@@ -384,7 +384,7 @@ void ProxySolver::make_room(const HapticScene& scene, const Vec3& wish_m) noexce
                 cuts_.asleep(i))
                 continue;
             double distance = 0.0;
-            support(scene, i, ball_m_, distance);
+            support(scene, i, proxy_m_, distance);
             if (distance < radius_m_) ghosts_.add(cuts_.of(at));
         }
         known_m_ = -1.0;

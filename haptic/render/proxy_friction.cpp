@@ -25,22 +25,22 @@ constexpr double kHangs = 0.1;
 // there.
 template <class Has>
 void ProxySolver::touch_down(const HapticScene& scene) noexcept {
-    ball_m_ = path_[0];
+    proxy_m_ = path_[0];
     double way_left = path_.longest_m;
     while (path_.rounds_left > 0 && work_.left > 0) {
         --path_.rounds_left;
-        Vec3 way = goal_m_ - ball_m_;
+        Vec3 way = goal_m_ - proxy_m_;
         if (const double length = glm::length(way); length > way_left) way *= way_left / length;
         int met = -1;
         const double fraction = fraction_inside(way, &met);
-        ball_m_ += way * fraction;
+        proxy_m_ += way * fraction;
         way_left -= glm::length(way) * fraction;
         if (met < 0) break;
         double distance = 0.0;
-        keep_cut<Has>(met, support<Has>(scene, met, ball_m_, distance));
+        keep_cut<Has>(met, support<Has>(scene, met, proxy_m_, distance));
         if (distance - radius_m_ <= kTouching_m) break;
     }
-    path_[1] = ball_m_;
+    path_[1] = proxy_m_;
     path_.size = 2;
     path_.rubs_from = 1;
 }
@@ -52,11 +52,11 @@ int ProxySolver::touched(const HapticScene& scene, std::array<HalfSpace, kMostTo
     int count = 0;
     for (int i = 0; i < cuts_.count; ++i) {
         const HalfSpace h = wall(i);
-        const double slack = glm::dot(h.normal, ball_m_) - h.offset_m;
+        const double slack = glm::dot(h.normal, proxy_m_) - h.offset_m;
         const bool behind = slack < -0.1 * kProjectionTolerance_m;
         if (!behind && (slack > kTouching_m || count >= kMostTouched)) continue;
         double distance = 0.0;
-        const HalfSpace cut = support<Has>(scene, i, ball_m_, distance);
+        const HalfSpace cut = support<Has>(scene, i, proxy_m_, distance);
         if (behind) keep_cut<Has>(i, cut);
         if (distance - radius_m_ <= kTouching_m && count < kMostTouched)
             surfaces[static_cast<std::size_t>(count++)] = {cut.normal, cut.offset_m + radius_m_};
@@ -73,9 +73,9 @@ int ProxySolver::hangs_over(const HapticScene& scene, const Vec3& goal_m, HalfSp
     int count = 0;
     for (int i = 0; i < cuts_.count; ++i) {
         const HalfSpace h = wall(i);
-        if (glm::dot(h.normal, ball_m_) - h.offset_m >= least) continue;
+        if (glm::dot(h.normal, proxy_m_) - h.offset_m >= least) continue;
         double distance = 0.0;
-        const HalfSpace cut = support<Has>(scene, i, ball_m_, distance);
+        const HalfSpace cut = support<Has>(scene, i, proxy_m_, distance);
         if (distance - radius_m_ >= least || glm::dot(cut.normal, goal_m) >= cut.offset_m + radius_m_) continue;
         keep_cut<Has>(i, cut);
         least = distance - radius_m_;
@@ -93,7 +93,7 @@ void ProxySolver::draw(const HapticScene& scene) noexcept {
     while (path_.rounds_left > 0 && work_.left > 0) {
         --path_.rounds_left;
         bool solved = project();
-        Vec3 way = basis_.point_m - ball_m_;
+        Vec3 way = basis_.point_m - proxy_m_;
         if (!solved) way *= fraction_inside(way);
         if (Has::kOneSided && cuts_.one_sided > 0) {
             if (const double fraction = fraction_to_waking(scene, way); fraction < 1.0) {
@@ -101,10 +101,10 @@ void ProxySolver::draw(const HapticScene& scene) noexcept {
                 solved = false;
             }
         }
-        const double length = glm::length(way), known = std::max(0.0, known_around<Has>(ball_m_) - radius_m_);
+        const double length = glm::length(way), known = std::max(0.0, known_around<Has>(proxy_m_) - radius_m_);
         const bool short_of = length > known;
-        ball_m_ = short_of ? ball_m_ + way * (known / length) : solved ? basis_.point_m : ball_m_ + way;
-        path_.add(ball_m_);
+        proxy_m_ = short_of ? proxy_m_ + way * (known / length) : solved ? basis_.point_m : proxy_m_ + way;
+        path_.add(proxy_m_);
         if (short_of) return;
         if (Has::kOneSided && cuts_.one_sided > 0 && turn_sheets(scene)) continue;
         if (basis_.count == 0 || !renew_holding_cuts<Has>(scene)) return;
@@ -119,7 +119,7 @@ template <class Has>
 void ProxySolver::rub(const HapticScene& scene, double share) noexcept {
     const ProjectionBasis rest = basis_;
     const Vec3 goal = goal_m_;
-    Vec3 lag = ball_m_ - rest.point_m;
+    Vec3 lag = proxy_m_ - rest.point_m;
     std::array<HalfSpace, kMostTouched> surfaces;
     for (int round = 0; round < kMostRubs && path_.rounds_left > 0 && work_.left > 0; ++round) {
         int count = touched<Has>(scene, surfaces);
@@ -129,7 +129,7 @@ void ProxySolver::rub(const HapticScene& scene, double share) noexcept {
             ProjectionBasis here;
             project_on_half_spaces(
                 goal, count, [&](int i) { return surfaces[static_cast<std::size_t>(i)]; }, here);
-            lag = ball_m_ - here.point_m;
+            lag = proxy_m_ - here.point_m;
             if (hangs) lag -= surfaces[0].normal * glm::dot(lag, surfaces[0].normal);
             const double reach = share * glm::length(here.point_m - goal), length = glm::length(lag);
             if (!hangs && length <= reach + kTouching_m) break;
@@ -151,7 +151,7 @@ void ProxySolver::hold_back(const HapticScene& scene, double reach_m) noexcept {
     const auto off_a_hold = [&] {
         for (int k = 0; k < basis_.count; ++k) {
             const HalfSpace h = wall(basis_.index[static_cast<std::size_t>(k)]);
-            if (glm::dot(h.normal, ball_m_) - h.offset_m > kTouching_m) return true;
+            if (glm::dot(h.normal, proxy_m_) - h.offset_m > kTouching_m) return true;
         }
         return false;
     };
@@ -164,7 +164,7 @@ void ProxySolver::hold_back(const HapticScene& scene, double reach_m) noexcept {
     if (path_.was_free && rubs && path_.size > 1 && knows_the_way()) {
         touch_down<Has>(scene);
     } else {
-        if (beyond(ball_m_) >= 0.0) return;
+        if (beyond(proxy_m_) >= 0.0) return;
         const bool bent = path_.size > 2;  // a bent path has straight pieces that cut across curved surfaces
         while (path_.size > 1) {
             const Vec3 from = path_[path_.size - 2];
@@ -173,12 +173,12 @@ void ProxySolver::hold_back(const HapticScene& scene, double reach_m) noexcept {
                 const Vec3 way = path_[path_.size - 1] - from;
                 const double a = glm::dot(way, way), b = glm::dot(way, from - target);
                 if (a > 0.0)
-                    ball_m_ =
+                    proxy_m_ =
                         from + way * std::clamp((-b - std::sqrt(std::max(0.0, b * b - a * outside))) / a, 0.0, 1.0);
-                path_[path_.size - 1] = ball_m_;
+                path_[path_.size - 1] = proxy_m_;
                 break;
             }
-            ball_m_ = from;
+            proxy_m_ = from;
             --path_.size;
         }
         rubs = rubs && (bent || off_a_hold());
@@ -188,9 +188,9 @@ void ProxySolver::hold_back(const HapticScene& scene, double reach_m) noexcept {
     // A cut that was renewed further along may exclude the place where the proxy stopped.
     for (int i = 0; i < cuts_.count; ++i) {
         const HalfSpace h = wall(i);
-        if (glm::dot(h.normal, ball_m_) >= h.offset_m - 0.1 * kProjectionTolerance_m) continue;
+        if (glm::dot(h.normal, proxy_m_) >= h.offset_m - 0.1 * kProjectionTolerance_m) continue;
         double distance = 0.0;
-        keep_cut<Has>(i, support<Has>(scene, i, ball_m_, distance));
+        keep_cut<Has>(i, support<Has>(scene, i, proxy_m_, distance));
     }
 }
 

@@ -139,9 +139,9 @@ void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed
     ++gatherings_;
     if (gathers_on_) return gather_waiting(scene, reach_m, needed_m);
     const Vec3 at = local_m();
-    path_.move_anchor(ball_m_);
+    path_.move_anchor(proxy_m_);
     anchor_m_ = at;
-    ball_m_ = Vec3(0.0);
+    proxy_m_ = Vec3(0.0);
     basis_.count = 0;
     if (cuts_.one_sided > 0) cuts_.remember_awake();
     cuts_.clear();
@@ -208,7 +208,7 @@ void ProxySolver::look_at_body(const HapticScene& scene, std::uint16_t body, dou
         // Converts the cut to the shape's own axes and metres, relative to `own`.
         const HalfSpace cut = cuts_.planes[static_cast<std::size_t>(i)];
         const Vec3 normal = frame.turned(cut.normal);
-        keep_cut(i, {normal, cut.offset_m * frame.scale + glm::dot(normal, ball_m_)});
+        keep_cut(i, {normal, cut.offset_m * frame.scale + glm::dot(normal, proxy_m_)});
     }
 }
 
@@ -219,16 +219,16 @@ void ProxySolver::gather_waiting(const HapticScene& scene, double reach_m, doubl
     // If the proxy has moved less than this, another search would find nothing new.
     const double enough_m = 0.01 * radius_m_;
     const Vec3 at = local_m();
-    const double still_known = known_m_ - glm::length(ball_m_);
-    const bool look_at_still = still_known < needed_m && (glm::length(ball_m_) > enough_m || known_m_ < 0.0);
+    const double still_known = known_m_ - glm::length(proxy_m_);
+    const bool look_at_still = still_known < needed_m && (glm::length(proxy_m_) > enough_m || known_m_ < 0.0);
     if (cuts_.one_sided > 0) cuts_.remember_awake();
-    path_.move_anchor(ball_m_);
+    path_.move_anchor(proxy_m_);
     for (int i = 0; i < cuts_.count; ++i) {
         HalfSpace& cut = cuts_.planes[static_cast<std::size_t>(i)];
-        cut.offset_m -= glm::dot(cut.normal, ball_m_);
+        cut.offset_m -= glm::dot(cut.normal, proxy_m_);
     }
     anchor_m_ = at;
-    ball_m_ = Vec3(0.0);
+    proxy_m_ = Vec3(0.0);
     known_m_ = still_known;
     basis_.count = 0;
     tracks_.unknown = false;

@@ -34,11 +34,11 @@ bool ProxySolver::turn_sheets(const HapticScene& scene) noexcept {
         const auto at = static_cast<std::size_t>(i);
         if (cuts_.sheets[at] == ProxyCuts::Sheet::No) continue;
         const bool sleeps = cuts_.sheets[at] == ProxyCuts::Sheet::Asleep;
-        const double in_front = in_front_m(scene, i, ball_m_);
+        const double in_front = in_front_m(scene, i, proxy_m_);
         if (sleeps ? in_front < -kWakes_m : in_front >= -kSleeps_m) continue;
         if (sleeps) {
             double distance = 0.0;
-            const HalfSpace cut = support(scene, i, ball_m_, distance);
+            const HalfSpace cut = support(scene, i, proxy_m_, distance);
             if (distance < radius_m_ - kSleeps_m && !cuts_.was_awake(at)) continue;
             keep_cut(i, cut);
         } else {
@@ -57,9 +57,9 @@ void ProxySolver::turn_sheets_of(const HapticScene& scene, std::uint16_t body, c
     for (int i = 0; i < cuts_.count; ++i) {
         const auto at = static_cast<std::size_t>(i);
         if (cuts_.owners[at] != body || cuts_.sheets[at] != ProxyCuts::Sheet::Asleep) continue;
-        if (in_front_m(scene, i, before, ball_m_) >= -kWakes_m || in_front_m(scene, i, ball_m_) < -kWakes_m) continue;
+        if (in_front_m(scene, i, before, proxy_m_) >= -kWakes_m || in_front_m(scene, i, proxy_m_) < -kWakes_m) continue;
         double distance = 0.0;
-        const HalfSpace cut = support(scene, i, ball_m_, distance);
+        const HalfSpace cut = support(scene, i, proxy_m_, distance);
         if (distance <= 0.5 * radius_m_) continue;
         keep_cut(i, cut);
         cuts_.sheets[at] = ProxyCuts::Sheet::Awake;
@@ -73,14 +73,14 @@ double ProxySolver::fraction_to_waking(const HapticScene& scene, const Vec3& ste
     double fraction = 1.0;
     for (int i = 0; i < cuts_.count; ++i) {
         if (cuts_.sheets[static_cast<std::size_t>(i)] != ProxyCuts::Sheet::Asleep) continue;
-        const double before = in_front_m(scene, i, ball_m_);
+        const double before = in_front_m(scene, i, proxy_m_);
         if (before >= -kWakes_m) continue;
-        const double after = in_front_m(scene, i, ball_m_ + step);
+        const double after = in_front_m(scene, i, proxy_m_ + step);
         if (after <= 0.0) continue;
         const double crossing = before / (before - after);
         if (crossing >= fraction) continue;
         double distance = 0.0;
-        support(scene, i, ball_m_ + step * crossing, distance);
+        support(scene, i, proxy_m_ + step * crossing, distance);
         if (distance >= radius_m_ - kSleeps_m) fraction = crossing;
     }
     return fraction;

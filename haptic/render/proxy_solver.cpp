@@ -53,7 +53,7 @@ void ProxySolver::place(const HapticScene& scene, const Request& request, const 
     carrier_ = kStill;
     scene_origin_m_ = scene.origin_m;
     anchor_m_ = local_m;
-    ball_m_ = Vec3(0.0);
+    proxy_m_ = Vec3(0.0);
     radius_m_ = radius_m;
     take_bodies(scene, request, radius_m);
     place_in(scene, kStill, radius_m);
@@ -109,7 +109,7 @@ void ProxySolver::grow(const HapticScene& scene, double radius_m, double growth_
     for (int i = 0; i < cuts_.count; ++i) {
         if (cuts_.asleep(i)) continue;
         double distance = 0.0;
-        keep_cut(i, support(scene, i, ball_m_, distance));
+        keep_cut(i, support(scene, i, proxy_m_, distance));
         spend(kSupportWork);
     }
     const double before = radius_m_;
@@ -117,10 +117,11 @@ void ProxySolver::grow(const HapticScene& scene, double radius_m, double growth_
     for (int round = 0; round < 8 && work_.left > 0; ++round, growth *= 0.5) {
         radius_m_ = before + growth;
         ProjectionBasis grown;
-        const bool fits = project_many(ball_m_, grown);
+        const bool fits = project_many(proxy_m_, grown);
         // In a corner the proxy is pushed farther than it grows. The push, too, must be no longer than `growth_m`.
-        if (fits && glm::dot(grown.point_m - ball_m_, grown.point_m - ball_m_) <= growth_m * growth_m * (1.0 + 1e-9)) {
-            ball_m_ = grown.point_m;
+        if (fits &&
+            glm::dot(grown.point_m - proxy_m_, grown.point_m - proxy_m_) <= growth_m * growth_m * (1.0 + 1e-9)) {
+            proxy_m_ = grown.point_m;
             return;
         }
     }
@@ -133,7 +134,7 @@ double ProxySolver::fraction_inside(const Vec3& step, int* met) const noexcept {
         const HalfSpace h = wall(i);
         const double towards = -glm::dot(h.normal, step);
         if (towards <= 0.0) continue;
-        const double gap = std::max(0.0, glm::dot(h.normal, ball_m_) - h.offset_m);
+        const double gap = std::max(0.0, glm::dot(h.normal, proxy_m_) - h.offset_m);
         if (gap >= fraction * towards) continue;
         fraction = gap / towards;
         if (met) *met = i;
@@ -164,20 +165,20 @@ bool ProxySolver::renew_holding_cuts(const HapticScene& scene) noexcept {
         }
     }
     spend(kHoldWork * basis_.count * basis_.count);
-    const Vec3 pull = goal_m_ - ball_m_;
+    const Vec3 pull = goal_m_ - proxy_m_;
     bool stale = false;
     for (int a = 0; a < basis_.count; ++a) {
         const int i = basis_.index[static_cast<std::size_t>(a)];
         const Vec3 old_normal = cuts_.planes[static_cast<std::size_t>(i)].normal;
         double distance = 0.0;
-        HalfSpace cut = support<Has>(scene, i, ball_m_, distance);
+        HalfSpace cut = support<Has>(scene, i, proxy_m_, distance);
         const bool apart = distance - radius_m_ > kTouching_m;
         if (apart && cuts_.looked_ahead[static_cast<std::size_t>(i)] != moves_) {
             cuts_.looked_ahead[static_cast<std::size_t>(i)] = moves_;
             double distance_ahead = 0.0;
             const HalfSpace further = support<Has>(scene, i, ahead[static_cast<std::size_t>(a)], distance_ahead);
             if (distance_ahead > 1e-12 &&
-                glm::dot(further.normal, ball_m_) - further.offset_m >= radius_m_ - kProjectionTolerance_m)
+                glm::dot(further.normal, proxy_m_) - further.offset_m >= radius_m_ - kProjectionTolerance_m)
                 cut = further;
         }
         keep_cut<Has>(i, cut);
@@ -197,28 +198,28 @@ bool ProxySolver::arc_step(const HapticScene& scene, double way_left_m) noexcept
     const std::uint32_t obstacle = cuts_.obstacles[static_cast<std::size_t>(i)];
     const std::uint16_t body = cuts_.owners[static_cast<std::size_t>(i)];
     if (!shape_at(scene, i).solid(obstacle)) return false;
-    double at_goal = 0.0, at_ball = 0.0;
+    double at_goal = 0.0, at_proxy = 0.0;
     const HalfSpace goal_cut = support(scene, i, goal_m_, at_goal);
     if (!(at_goal < radius_m_)) return false;
-    const HalfSpace ball_cut = support(scene, i, ball_m_, at_ball);
-    const double turn = glm::dot(ball_cut.normal, goal_cut.normal);
+    const HalfSpace proxy_cut = support(scene, i, proxy_m_, at_proxy);
+    const double turn = glm::dot(proxy_cut.normal, goal_cut.normal);
     if (!(turn > 0.5 && turn < 1.0 - 1e-14)) return false;
     // A goal inside the solid may be nearer to another face than to the one to which the proxy would roll, unless the
     // two faces are one smooth surface.
     const auto own = [&](const Vec3& normal) {
         return body == kStill ? normal : tracks_.of(body).frame.turned_back(normal);
     };
-    if (at_goal <= 1e-12 && !shape_at(scene, i).smooth_between(obstacle, own(ball_cut.normal), own(goal_cut.normal)))
+    if (at_goal <= 1e-12 && !shape_at(scene, i).smooth_between(obstacle, own(proxy_cut.normal), own(goal_cut.normal)))
         return false;
     const Vec3 end = goal_m_ + goal_cut.normal * (radius_m_ - at_goal);
     ProjectionBasis bend;
-    const std::array<HalfSpace, 2> both{HalfSpace{ball_cut.normal, ball_cut.offset_m + radius_m_},
+    const std::array<HalfSpace, 2> both{HalfSpace{proxy_cut.normal, proxy_cut.offset_m + radius_m_},
                                         HalfSpace{goal_cut.normal, goal_cut.offset_m + radius_m_}};
     if (!project_on_half_spaces(
-            0.5 * (ball_m_ + end), 2, [&](int k) { return both[static_cast<std::size_t>(k)]; }, bend))
+            0.5 * (proxy_m_ + end), 2, [&](int k) { return both[static_cast<std::size_t>(k)]; }, bend))
         return false;
     const Vec3 middle = bend.point_m;
-    if (glm::length(middle - ball_m_) + glm::length(end - middle) > way_left_m) return false;
+    if (glm::length(middle - proxy_m_) + glm::length(end - middle) > way_left_m) return false;
     for (int j = 0; j < cuts_.count; ++j) {
         if (j == i) continue;
         const HalfSpace h = wall(j);
@@ -229,7 +230,7 @@ bool ProxySolver::arc_step(const HapticScene& scene, double way_left_m) noexcept
     keep_cut(i, goal_cut);
     path_.add(middle);
     path_.add(end);
-    ball_m_ = end;
+    proxy_m_ = end;
     basis_.multiplier_m[0] = radius_m_ - at_goal;
     basis_.point_m = end;
     return true;
@@ -281,17 +282,17 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     path_.rubs_from = 0;
     path_.size = 0;
     const bool looks = request.most_rounds > 0;
-    if (looks && known_around<Has>(ball_m_) < way_left + radius) gather(scene, radius + margin, radius + way_left);
+    if (looks && known_around<Has>(proxy_m_) < way_left + radius) gather(scene, radius + margin, radius + way_left);
     goal_m_ = goal_local - anchor_m_;
     if (Has::kOneSided && cuts_.one_sided > 0) turn_sheets(scene);
     if (looks && radius_m_ < radius && !tracks_.unknown) grow(scene, radius, request.growth_m);
-    path_.begin(ball_m_);
+    path_.begin(proxy_m_);
     step_.converged = false;
     int stages_left = looks ? kMaxStages : 0;
     while (step_.iterations < work_.most_rounds) {
         ++step_.iterations;
         bool solved = project();
-        Vec3 way = basis_.point_m - ball_m_;
+        Vec3 way = basis_.point_m - proxy_m_;
         if (!solved) way *= fraction_inside(way);
         if (Has::kOneSided && cuts_.one_sided > 0) {
             spend(2 * cuts_.one_sided * kTurnWork);
@@ -301,23 +302,23 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
             }
         }
         const double length = glm::length(way);
-        const double known_way = known_around<Has>(ball_m_) - radius;
+        const double known_way = known_around<Has>(proxy_m_) - radius;
         if (length > 0.0 && length > std::min(way_left, known_way)) {
             const double part = std::clamp(known_way, 0.0, way_left);
-            ball_m_ += way * (part / length);
-            path_.add(ball_m_);
+            proxy_m_ += way * (part / length);
+            path_.add(proxy_m_);
             way_left -= part;
             if (way_left > 0.0 && stages_left-- > 0 && work_.looks < kMostLooks && work_.left > 0) {
                 gather(scene, radius + margin, radius + way_left);
                 goal_m_ = goal_local - anchor_m_;
-                if (known_around<Has>(ball_m_) > radius) continue;
+                if (known_around<Has>(proxy_m_) > radius) continue;
             }
             step_.capped = true;
             break;
         }
         way_left -= length;
-        ball_m_ = solved ? basis_.point_m : ball_m_ + way;
-        path_.add(ball_m_);
+        proxy_m_ = solved ? basis_.point_m : proxy_m_ + way;
+        path_.add(proxy_m_);
         if (Has::kOneSided && cuts_.one_sided > 0 && turn_sheets(scene)) continue;
         if (basis_.count == 0) {
             step_.converged = solved;
@@ -328,7 +329,7 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
             step_.converged = solved;
             break;
         }
-        if (solved && arc_step(scene, std::min(way_left, known_around<Has>(ball_m_) - radius))) {
+        if (solved && arc_step(scene, std::min(way_left, known_around<Has>(proxy_m_) - radius))) {
             step_.converged = true;
             break;
         }
@@ -340,7 +341,7 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     }
     step_.count = basis_.count;
     tick_assert(step_.count >= 0 && step_.count <= 3 && step_.iterations <= kMaxIterations);
-    tick_assert(is_finite(ball_m_) && radius_m_ >= kSmallestRadius_m && radius_m_ <= radius);
+    tick_assert(is_finite(proxy_m_) && radius_m_ >= kSmallestRadius_m && radius_m_ <= radius);
     path_.rounds_left = looks ? work_.most_rounds - step_.iterations : 0;
     return step_;
 }

@@ -142,17 +142,17 @@ public:
     // - offset_m: from the goal to the proxy; exactly zero in free space.
     // - slide_m: from the proxy's place before the move to its place now.
     // - press_m: from the goal to where the proxy would rest without friction and without the speed cap.
-    Vec3 offset_m() const noexcept { return ball_m_ - goal_m_; }
-    Vec3 slide_m() const noexcept { return ball_m_ - path_[0]; }
+    Vec3 offset_m() const noexcept { return proxy_m_ - goal_m_; }
+    Vec3 slide_m() const noexcept { return proxy_m_ - path_[0]; }
     // Displacement since the first contact of the move, without the free movement before it. Valid after hold_back().
-    Vec3 rubbed_m() const noexcept { return ball_m_ - path_[path_.rubs_from]; }
+    Vec3 rubbed_m() const noexcept { return proxy_m_ - path_[path_.rubs_from]; }
     Vec3 press_m() const noexcept { return basis_.point_m - goal_m_; }
     // The place where the proxy would rest without friction, in the scene's own coordinates.
     Vec3 rest_m() const noexcept { return anchor_m_ + basis_.point_m; }
     double radius_m() const noexcept { return radius_m_; }
     // Centre of the proxy, in the scene's own coordinates.
-    Vec3 local_m() const noexcept { return anchor_m_ + ball_m_; }
-    Vec3 world_m() const noexcept { return scene_origin_m_ + anchor_m_ + ball_m_; }
+    Vec3 local_m() const noexcept { return anchor_m_ + proxy_m_; }
+    Vec3 world_m() const noexcept { return scene_origin_m_ + anchor_m_ + proxy_m_; }
 
 private:
     friend class SolverProbe;  // shows the parts below to tests and benchmarks
@@ -184,7 +184,7 @@ private:
     void advance_bodies(const HapticScene& scene, const Request& request, double radius_m) noexcept;
     bool sub_step(const HapticScene& scene, const Request& request, double radius_m, double part) noexcept;
     void renew_moved_cuts(const HapticScene& scene) noexcept;
-    void make_room(const HapticScene& scene, const Vec3& wish_m) noexcept;
+    void make_room(const HapticScene& scene, const Vec3& target_m) noexcept;
     void drop_body(std::uint16_t body) noexcept;
     // Returns the distance around a place within which every obstacle is a candidate.
     template <class Has = AllFeatures>
@@ -262,7 +262,7 @@ private:
     // The vectors below, and those of the cuts and the path, are relative to anchor_m_. That is the proxy's place, in
     // scene coordinates, when candidates were last gathered. The numbers stay small, so rounding errors do not grow
     // with the size of the building.
-    Vec3 scene_origin_m_{0.0}, anchor_m_{0.0}, ball_m_{0.0}, goal_m_{0.0};
+    Vec3 scene_origin_m_{0.0}, anchor_m_{0.0}, proxy_m_{0.0}, goal_m_{0.0};
     double radius_m_ = 0.0;
     ProjectionBasis basis_;
     ProxyCuts cuts_;

@@ -69,7 +69,7 @@ void SoftState::clear() noexcept {
     awake_.fill(false);
 }
 
-Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& hand, const Vec3& ball_m, double radius_m,
+Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& hand, const Vec3& proxy_m, double radius_m,
                       bool& pressed) noexcept {
     tick_assert(patch.cells_u > 0 && patch.cells_v > 0 && radius_m > 0.0 && hand.dt_s >= 0.0 && hand.scale > 0.0);
     const Vec3 normal = patch.normal();
@@ -81,7 +81,7 @@ Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& han
     const double deep = radius_m - height;  // e, in world metres like all lengths here
     // If the proxy is behind or below the hard floor, the patch gives no force. The proxy cannot get there through the
     // floor, only around it.
-    const double above_floor = glm::dot(ball_m - patch.corner_m, normal) + patch.depth_m;
+    const double above_floor = glm::dot(proxy_m - patch.corner_m, normal) + patch.depth_m;
     const double front = smooth_step(1.0 + above_floor / radius_m);
     const bool near = deep > 0.0 && front > 0.0 && at_u > -footprint && at_u < patch.size_u_m + footprint &&
                       at_v > -footprint && at_v < patch.size_v_m + footprint;
@@ -172,7 +172,7 @@ Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& han
            (stiffness * per_cell * front / hand.scale);
 }
 
-Vec3 SoftState::force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_m, double radius_m,
+Vec3 SoftState::force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& proxy_m, double radius_m,
                         const SoftPatch*& pressed) noexcept {
     if (scene.soft_patches.empty()) return Vec3(0.0);
     if (world_ != scene.world || patches_ != scene.soft_patches.size()) {
@@ -185,7 +185,7 @@ Vec3 SoftState::force_n(const HapticScene& scene, const HandMotion& hand, const 
     local.goal_m = hand.goal_m - scene.origin_m;
     for (std::size_t i = 0; i < patches_; ++i) {
         bool pushes = false;
-        sum += press(scene.soft_patches[i], awake_[i], local, ball_m - scene.origin_m, radius_m, pushes);
+        sum += press(scene.soft_patches[i], awake_[i], local, proxy_m - scene.origin_m, radius_m, pushes);
         if (pushes) pressed = &scene.soft_patches[i];
     }
     return sum;

@@ -72,13 +72,13 @@ public:
     // Restores every patch to its untouched state. Needed only when the hand enters another world, because a dent stays
     // while the hand is elsewhere.
     void clear() noexcept;
-    // Returns the force on the hand, in world axes. `ball_m` is the centre of the proxy in the world. Stiffness
+    // Returns the force on the hand, in world axes. `proxy_m` is the centre of the proxy in the world. Stiffness
     // fractions are relative to hand.stiffest_n_per_m. `pressed` receives the feature of a patch that pushes back.
-    Vec3 force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_m, double radius_m,
+    Vec3 force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& proxy_m, double radius_m,
                  const SoftPatch*& pressed) noexcept;
 
 private:
-    Vec3 press(const SoftPatch& patch, bool& awake, const HandMotion& hand, const Vec3& ball_m, double radius_m,
+    Vec3 press(const SoftPatch& patch, bool& awake, const HandMotion& hand, const Vec3& proxy_m, double radius_m,
                bool& pressed) noexcept;
 
     std::vector<double> set_m_;                   // s of the cells of all patches, in world metres

@@ -81,7 +81,7 @@ Rise rise_over_facet(const std::array<Vec3, 3>& p, const MeshShading::Facet& fac
 Rise rise_over_edge(const HapticScene& shape, const std::array<Vec3, 3>& p, const MeshShading::Facet& facet,
                     const Vec3& across, double side, const FieldRequest& request) noexcept {
     constexpr double kRunOut = 0.1;  // share of the edge's length, at each end, over which the added term fades
-    const Vec3 foot = request.ball_m - request.normal * request.radius_m;
+    const Vec3 foot = request.proxy_m - request.normal * request.radius_m;
     std::size_t edge = 0;
     double nearest = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -20,7 +20,7 @@ struct SurfaceField {
 struct FieldRequest {
     std::uint32_t obstacle = 0, face = 0;
     Vec3 normal{0.0};  // normal of the hold
-    Vec3 hand_m{0.0}, ball_m{0.0};
+    Vec3 hand_m{0.0}, proxy_m{0.0};
     double press_m = 0.0;
     double radius_m = 0.0;
     double world_m_per_hand_m = 1.0;

@@ -147,7 +147,7 @@ TouchState::Impl::FieldPress TouchState::Impl::field_press(const HapticScene& sc
                     glm::cross(normal(0), normal(1)) / det};
     }
     FieldRequest request;
-    const Vec3 ball_m = scene.origin_m + solver.rest_m(), hand_m = ball_m - press;
+    const Vec3 proxy_m = scene.origin_m + solver.rest_m(), hand_m = proxy_m - press;
     request.swing = swing;
     double shift = 0.0, friction = 0.0, sum = 0.0, swing_gain = 0.0, shortest_period = 0.0;
     Vec3 gradient(0.0);
@@ -161,7 +161,7 @@ TouchState::Impl::FieldPress TouchState::Impl::field_press(const HapticScene& sc
         request.face = faces[at];
         request.normal = solver.turned_to_own(hold, hold.normal);
         request.hand_m = solver.to_own(scene, hold, hand_m);
-        request.ball_m = solver.to_own(scene, hold, ball_m);
+        request.proxy_m = solver.to_own(scene, hold, proxy_m);
         request.press_m = glm::dot(hold.normal, press) / own;
         request.radius_m = solver.radius_m() / own;
         request.world_m_per_hand_m = tuning.world_m_per_hand_m / own;
@@ -192,8 +192,8 @@ TouchState::Impl::FieldPress TouchState::Impl::field_press(const HapticScene& sc
     // because fading must not give the hand energy.
     if (shortest_period > 0.0) {
         const double per_period = glm::length(hand_speed_m_per_s) * dt_s * kTicksOfFullWave / shortest_period;
-        const double wish = std::clamp(2.0 - per_period, 0.0, 1.0);
-        const double change = std::clamp(wish - swing, -kSwingChange_per_s * dt_s, kSwingChange_per_s * dt_s);
+        const double wanted = std::clamp(2.0 - per_period, 0.0, 1.0);
+        const double change = std::clamp(wanted - swing, -kSwingChange_per_s * dt_s, kSwingChange_per_s * dt_s);
         if (change * swing_gain >= 0.0 || !out.touching) swing += change;
     }
     return out;

@@ -32,7 +32,7 @@ void BodiesInReach::enter(const render::DynamicsScene* scene) {
 
 void BodiesInReach::forget() noexcept {
     game_ = 0;
-    newest_ = known_ = word_count_ = 0;
+    newest_ = known_ = reported_count_ = 0;
     for (Slot& slot : slots_) slot = {};
     shown_all_ = holding_ = letting_go_ = has_hand_ = false;
     carried_m_ = grip_force_n_ = hand_m_per_s_ = Vec3(0.0);
@@ -74,10 +74,10 @@ void BodiesInReach::hear(const render::DynamicsFrame& frame) noexcept {
             if (!(frame.things[body] == frames_[before].things[body])) moved(body);
     }
     for (const std::uint32_t body : lively_) frames_[newest_].things[body] = frame.things[body];
-    word_count_ = std::min<std::size_t>(frame.near_count[hand_], kMost);
-    for (std::size_t i = 0; i < word_count_; ++i) {
-        words_[i] = frame.near[hand_][i];
-        if (Slot* slot = slot_of(words_[i].body)) slot->model.hear(words_[i]);
+    reported_count_ = std::min<std::size_t>(frame.near_count[hand_], kMost);
+    for (std::size_t i = 0; i < reported_count_; ++i) {
+        reported_[i] = frame.near[hand_][i];
+        if (Slot* slot = slot_of(reported_[i].body)) slot->model.hear(reported_[i]);
     }
 }
 
@@ -112,7 +112,7 @@ BodyModel::State BodiesInReach::played(std::size_t body, double play_s) const no
             goes ? turn_between(a.rotation, b.rotation) / span : Vec3(0.0)};
 }
 
-void BodiesInReach::open(const render::RigidBodyState& word, double now_s) noexcept {
+void BodiesInReach::open(const render::RigidBodyState& reported, double now_s) noexcept {
     Slot* free = nullptr;
     for (Slot& slot : slots_)
         if (!slot.used) {
@@ -120,23 +120,23 @@ void BodiesInReach::open(const render::RigidBodyState& word, double now_s) noexc
             break;
         }
     if (!free) return;
-    BodyModel::State seen = played(word.body, now_s - kPlayedLate_s);
+    BodyModel::State seen = played(reported.body, now_s - kPlayedLate_s);
     seen.time_s = now_s;
     *free = {};
     free->used = true;
     free->touched_s = now_s;
-    free->model.begin(word, seen);
+    free->model.begin(reported, seen);
 }
 
 bool BodiesInReach::place(double now_s, const Vec3& hand_m, const BodyFeel& feel,
                           std::span<render::BodyPose> bodies) noexcept {
     carried_m_ = Vec3(0.0);
     if (!scene_ || known_ == 0) return false;
-    for (std::size_t i = 0; i < word_count_; ++i)
-        if (words_[i].gap_m < 2.0 * feel.ball_m + glm::length(words_[i].speed_m_per_s) * kPlayedLate_s &&
-            now_s - words_[i].time_s < kSilent_s) {
-            if (Slot* slot = slot_of(words_[i].body)) slot->touched_s = std::max(slot->touched_s, now_s);
-            else open(words_[i], now_s);
+    for (std::size_t i = 0; i < reported_count_; ++i)
+        if (reported_[i].gap_m < 2.0 * feel.proxy_radius_m + glm::length(reported_[i].speed_m_per_s) * kPlayedLate_s &&
+            now_s - reported_[i].time_s < kSilent_s) {
+            if (Slot* slot = slot_of(reported_[i].body)) slot->touched_s = std::max(slot->touched_s, now_s);
+            else open(reported_[i], now_s);
         }
     // The used slots in the order of the scene, so that carried_m_ adds up in a fixed order. They are sorted by
     // insertion, because GCC 14 wrongly warns that std::sort would go out of bounds on so short an array.
@@ -223,8 +223,8 @@ std::uint32_t BodiesInReach::take(double now_s, const Vec3& hand_m, const BodyFe
         for (const render::DynamicsPiece& piece : scene_->bodies[slot.model.body()].pieces)
             gap = std::min(gap, render::gap_m(piece, own));
         const bool touched =
-            glm::length(slot.contact_m) > 0.0 && now_s - slot.touched_s < 0.2 && gap < 1.5 * feel.ball_m;
-        if (!touched && gap > 2.0 * feel.ball_m) continue;
+            glm::length(slot.contact_m) > 0.0 && now_s - slot.touched_s < 0.2 && gap < 1.5 * feel.proxy_radius_m;
+        if (!touched && gap > 2.0 * feel.proxy_radius_m) continue;
         if (gap < rank) {
             rank = gap;
             best = i;
@@ -299,7 +299,7 @@ Vec3 BodiesInReach::wrist_nm() const noexcept {
     const PlacedFrame frame(s.at);
     const Vec3 turn = turn_between(s.at.rotation, grip_turn_) * (kWrist_per_s * kWrist_per_s) -
                       s.turn_rad_per_s * (2.0 * kWrist_per_s);
-    return frame.turned(frame.turned_back(turn) * model.word().inertia_kg_m2);
+    return frame.turned(frame.turned_back(turn) * model.reported().inertia_kg_m2);
 }
 
 void BodiesInReach::strain(Slot& slot, double force_n, double dt_s, const BodyFeel& feel) noexcept {
@@ -382,7 +382,7 @@ void BodiesInReach::react(const render::TouchResult& touch, double share, double
             send(slot, push, pushes);
             if (leaves) letting_go_ = false;
         }
-        if (now_s - slot.model.word_s() > kSilent_s) slot.model.rest();
+        if (now_s - slot.model.reported_s() > kSilent_s) slot.model.rest();
         else slot.model.tick(force, moment, dt_s);
     }
 }

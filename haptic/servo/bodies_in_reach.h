@@ -24,7 +24,7 @@ struct BodyFeel {
     double world_m_per_hand_m = 1.0;
     double felt_gain = 1.0 / 20.0;  // force on the hand per force in the world, newtons per newton
     double ceiling_n = 2.5;         // greatest force on the hand
-    double ball_m = 0.005;          // radius of the proxy in the world
+    double proxy_radius_m = 0.005;  // radius of the proxy in the world
     double grip_n_per_m = 400.0;    // stiffness of the grip, N per hand metre
     double grip_ns_per_m = 5.0;
 };
@@ -127,7 +127,7 @@ private:
     void moved(std::uint32_t body) noexcept;
     bool show(std::uint32_t body, Slot* slot, double now_s, const BodyFeel& feel,
               std::span<render::BodyPose> bodies) noexcept;
-    void open(const render::RigidBodyState& word, double now_s) noexcept;
+    void open(const render::RigidBodyState& reported, double now_s) noexcept;
     void strain(Slot& slot, double force_n, double dt_s, const BodyFeel& feel) noexcept;
     void send(Slot& slot, render::HandPush push, render::HandPushRing& pushes) noexcept;
     static void keep(Slot& slot, const render::HandPush& push) noexcept;
@@ -146,8 +146,8 @@ private:
     std::vector<std::uint32_t> lively_;
     // For each body, the value of heard_ when it last moved; 0 if it is not in lively_.
     std::vector<std::uint64_t> moved_at_;
-    std::array<render::RigidBodyState, kMost> words_{};
-    std::size_t word_count_ = 0;
+    std::array<render::RigidBodyState, kMost> reported_{};
+    std::size_t reported_count_ = 0;
     std::array<Slot, kMost> slots_{};
     std::vector<Placement> shown_;
     bool shown_all_ = false;

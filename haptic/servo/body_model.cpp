@@ -49,40 +49,40 @@ struct BodyModel::Point {
     double friction = 0.0;
 };
 
-void BodyModel::begin(const render::RigidBodyState& word, const State& seen) noexcept {
+void BodyModel::begin(const render::RigidBodyState& reported, const State& seen) noexcept {
     *this = {};
     state_ = seen;
-    word_ = word;
-    word_.time_s = -1e300;
+    reported_ = reported;
+    reported_.time_s = -1e300;
     history_[0] = state_;
     count_ = 1;
-    hear(word);
+    hear(reported);
 }
 
-void BodyModel::hear(const render::RigidBodyState& word) noexcept {
-    if (!(word.time_s > word_.time_s)) return;
+void BodyModel::hear(const render::RigidBodyState& reported) noexcept {
+    if (!(reported.time_s > reported_.time_s)) return;
     // Contacts that continue keep their impulses. Without them, a resting body would sag with every new message.
     std::array<Vec3, render::RigidBodyState::kMostPlanes> kept{};
-    for (std::size_t i = 0; i < word.count; ++i)
-        for (std::size_t k = 0; k < word_.count; ++k)
-            if (glm::dot(word.planes[i].normal, word_.planes[k].normal) > 0.99 &&
-                glm::length(word.planes[i].own_m - word_.planes[k].own_m) < 0.02) {
+    for (std::size_t i = 0; i < reported.count; ++i)
+        for (std::size_t k = 0; k < reported_.count; ++k)
+            if (glm::dot(reported.planes[i].normal, reported_.planes[k].normal) > 0.99 &&
+                glm::length(reported.planes[i].own_m - reported_.planes[k].own_m) < 0.02) {
                 kept[i] = impulse_[k];
                 break;
             }
     impulse_ = kept;
-    word_ = word;
+    reported_ = reported;
     // The model's state at the time of the message.
     const State* then = &history_[first_];
     for (std::size_t i = 0; i < count_; ++i) {
         const State& old = history_[(first_ + i) % kHistory];
-        if (std::abs(old.time_s - word.time_s) < std::abs(then->time_s - word.time_s)) then = &old;
+        if (std::abs(old.time_s - reported.time_s) < std::abs(then->time_s - reported.time_s)) then = &old;
     }
-    const double late_s = std::clamp(word.time_s - then->time_s, -0.02, 0.02);
-    owed_m_ = word.at.position_m - (then->at.position_m + then->speed_m_per_s * late_s);
-    owed_m_per_s_ = word.speed_m_per_s - then->speed_m_per_s;
-    owed_rad_ = turn_between(turned(then->at.rotation, then->turn_rad_per_s * late_s), word.at.rotation);
-    owed_rad_per_s_ = word.turn_rad_per_s - then->turn_rad_per_s;
+    const double late_s = std::clamp(reported.time_s - then->time_s, -0.02, 0.02);
+    owed_m_ = reported.at.position_m - (then->at.position_m + then->speed_m_per_s * late_s);
+    owed_m_per_s_ = reported.speed_m_per_s - then->speed_m_per_s;
+    owed_rad_ = turn_between(turned(then->at.rotation, then->turn_rad_per_s * late_s), reported.at.rotation);
+    owed_rad_per_s_ = reported.turn_rad_per_s - then->turn_rad_per_s;
     apart_m_ = glm::length(owed_m_);
 }
 
@@ -106,9 +106,9 @@ void BodyModel::correct(double dt_s) noexcept {
 }
 
 void BodyModel::solve(double dt_s) noexcept {
-    const InverseInertia inverse(state_.at, word_.inertia_kg_m2);
+    const InverseInertia inverse(state_.at, reported_.inertia_kg_m2);
     const PlacedFrame frame(state_.at);
-    const double inverse_kg = 1.0 / word_.mass_kg, stick = stick_.factor(word_.sticks);
+    const double inverse_kg = 1.0 / reported_.mass_kg, stick = stick_.factor(reported_.sticks);
     std::array<Point, render::RigidBodyState::kMostPlanes> points;
     Vec3 &v = state_.speed_m_per_s, &w = state_.turn_rad_per_s;
     const auto kick = [&](const Direction& d, double impulse) {
@@ -116,13 +116,13 @@ void BodyModel::solve(double dt_s) noexcept {
         w += d.spins * impulse;
     };
     const auto speed = [&](const Direction& d) { return glm::dot(d.along, v) + glm::dot(d.turns, w); };
-    for (std::size_t i = 0; i < word_.count; ++i) {
-        const render::ContactPlane& plane = word_.planes[i];
+    for (std::size_t i = 0; i < reported_.count; ++i) {
+        const render::ContactPlane& plane = reported_.planes[i];
         Point& p = points[i];
         const Vec3 arm = plane.round ? plane.normal * -plane.radius_m : frame.turned(plane.own_m);
         const double gap =
             glm::dot(plane.normal, state_.at.position_m + arm) -
-            (plane.offset_m + glm::dot(plane.normal, plane.speed_m_per_s) * (state_.time_s - word_.time_s));
+            (plane.offset_m + glm::dot(plane.normal, plane.speed_m_per_s) * (state_.time_s - reported_.time_s));
         // In this tick, the point may approach the plane by at most the gap. If the point is already behind the plane,
         // it is pushed out gently.
         p.want_m_per_s =
@@ -135,9 +135,9 @@ void BodyModel::solve(double dt_s) noexcept {
         for (int k = 0; k < 3; ++k) kick(p.ways[static_cast<std::size_t>(k)], impulse_[i][k]);
     }
     for (int round = 0; round < kRounds; ++round)
-        for (std::size_t i = 0; i < word_.count; ++i) {
+        for (std::size_t i = 0; i < reported_.count; ++i) {
             const Point& p = points[i];
-            const Vec3 glides = word_.planes[i].speed_m_per_s;
+            const Vec3 glides = reported_.planes[i].speed_m_per_s;
             Vec3& done = impulse_[i];
             const double normal = std::max(0.0, done.x + (p.want_m_per_s - speed(p.ways[0])) * p.ways[0].mass_kg);
             kick(p.ways[0], normal - done.x);
@@ -155,23 +155,24 @@ void BodyModel::solve(double dt_s) noexcept {
             done.z = b;
         }
     // Rolling friction reduces the rotation of a ball on the floor.
-    if (word_.rolling_m > 0.0) {
+    if (reported_.rolling_m > 0.0) {
         double pressed = 0.0;
-        for (std::size_t i = 0; i < word_.count; ++i)
-            if (word_.planes[i].round) pressed += impulse_[i].x;
-        const double turning = glm::length(w),
-                     takes = word_.rolling_m * pressed * glm::length(inverse(turning > 0.0 ? w / turning : Vec3(0.0)));
+        for (std::size_t i = 0; i < reported_.count; ++i)
+            if (reported_.planes[i].round) pressed += impulse_[i].x;
+        const double turning = glm::length(w), takes = reported_.rolling_m * pressed *
+                                                       glm::length(inverse(turning > 0.0 ? w / turning : Vec3(0.0)));
         w = turning > takes ? w * ((turning - takes) / turning) : Vec3(0.0);
     }
 }
 
 void BodyModel::tick(const Vec3& force_n, const Vec3& moment_nm, double dt_s) noexcept {
     correct(dt_s);
-    const InverseInertia inverse(state_.at, word_.inertia_kg_m2);
-    const Vec3 pulls = (word_.string_at_m - state_.at.position_m) * word_.string_n_per_m -
-                       state_.speed_m_per_s * word_.string_ns_per_m;
-    state_.speed_m_per_s += ((force_n + word_.others_n + pulls) / word_.mass_kg + word_.gravity_m_per_s2) * dt_s;
-    state_.turn_rad_per_s += inverse(moment_nm + word_.others_nm) * dt_s;
+    const InverseInertia inverse(state_.at, reported_.inertia_kg_m2);
+    const Vec3 pulls = (reported_.string_at_m - state_.at.position_m) * reported_.string_n_per_m -
+                       state_.speed_m_per_s * reported_.string_ns_per_m;
+    state_.speed_m_per_s +=
+        ((force_n + reported_.others_n + pulls) / reported_.mass_kg + reported_.gravity_m_per_s2) * dt_s;
+    state_.turn_rad_per_s += inverse(moment_nm + reported_.others_nm) * dt_s;
     stick_.go(glm::length(state_.speed_m_per_s), dt_s);
     solve(dt_s);
     state_.at.position_m += state_.speed_m_per_s * dt_s;

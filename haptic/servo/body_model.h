@@ -24,10 +24,10 @@ public:
 
     // Starts the model from a message of the engine. `seen` is the state of the body that the hand has touched until
     // now. The model corrects the difference between both over kCorrect_s.
-    void begin(const render::RigidBodyState& word, const State& seen) noexcept;
+    void begin(const render::RigidBodyState& reported, const State& seen) noexcept;
     // Accepts a message about a moment within the last kHistory ticks. An earlier moment, or a moment after the model's
     // time, is accepted too. The times of the messages must rise.
-    void hear(const render::RigidBodyState& word) noexcept;
+    void hear(const render::RigidBodyState& reported) noexcept;
     // Computes one tick, starting at the state's time. `force_n` is in world newtons; `moment_nm` is about the centre
     // of mass.
     void tick(const Vec3& force_n, const Vec3& moment_nm, double dt_s) noexcept;
@@ -36,9 +36,9 @@ public:
     void limit_speed(double most_m_per_s) noexcept;
 
     const State& state() const noexcept { return state_; }
-    double word_s() const noexcept { return word_.time_s; }
-    std::uint32_t body() const noexcept { return word_.body; }
-    const render::RigidBodyState& word() const noexcept { return word_; }
+    double reported_s() const noexcept { return reported_.time_s; }
+    std::uint32_t body() const noexcept { return reported_.body; }
+    const render::RigidBodyState& reported() const noexcept { return reported_; }
     Vec3 speed_at(const Vec3& world_m) const noexcept {
         return state_.speed_m_per_s + glm::cross(state_.turn_rad_per_s, world_m - state_.at.position_m);
     }
@@ -55,7 +55,7 @@ private:
     void solve(double dt_s) noexcept;
 
     State state_;
-    render::RigidBodyState word_;
+    render::RigidBodyState reported_;
     std::array<State, kHistory> history_{};  // a ring; every correction shifts all of its states
     std::size_t first_ = 0, count_ = 0;
     std::array<Vec3, render::RigidBodyState::kMostPlanes>

@@ -63,9 +63,9 @@ void ContactTracker::update(const render::TouchResult& touch, const Vec3& veloci
             events.push({ContactEventKind::Slide, now_s, held.feature, held.material, touch.proxy_m, 0.0,
                          force_n * contact.share, Fault::None});
         } else if (held.slide_m_per_s > (held.sliding ? kSlideStopsMPerS : kSlideStartsMPerS) &&
-                   now_s - held.told_s >= kSlideEveryS - 1e-6) {
+                   now_s - held.reported_s >= kSlideEveryS - 1e-6) {
             held.sliding = true;
-            held.told_s = now_s;
+            held.reported_s = now_s;
             events.push({ContactEventKind::Slide, now_s, held.feature, held.material, touch.proxy_m, held.slide_m_per_s,
                          force_n * contact.share, Fault::None});
         }

@@ -83,7 +83,7 @@ private:
         MaterialId material = kDefaultMaterial;
         Vec3 position_m{0.0};
         double seen_s = 0.0;
-        double told_s = 0.0;         // time of the last Slide event
+        double reported_s = 0.0;     // time of the last Slide event
         double slide_m_per_s = 0.0;  // speed of the slide, filtered with one pole of 5 ms
         bool sliding = false;
     };

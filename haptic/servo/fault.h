@@ -28,7 +28,7 @@ enum class Fault : std::uint8_t {
 
 // Returns true if the device is lost. Such a fault replaces all others. It may itself be replaced by another such fault
 // when more is known.
-inline bool is_gone(Fault fault) {
+inline bool is_lost(Fault fault) {
     return fault == Fault::Unplugged || fault == Fault::MayPush || fault == Fault::ForceOff;
 }
 // Returns true for a pause, in which nothing is broken, so that no alarm is due.

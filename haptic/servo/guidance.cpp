@@ -134,7 +134,7 @@ Vec3 Guidance::grooves(const GuidancePath& path, const Vec3& hand_m, double scal
     std::array<double, GuidancePath::kMostPoints / 2> left;
     std::size_t near = 0;
     const double width_m = scale * kGrooveHalfWidth_m;
-    const bool lines = path.kind == GuidanceKind::WayLines;
+    const bool lines = path.kind == GuidanceKind::PathLines;
     for (std::uint32_t i = 0; i + 1 < path.count; i += 2) {
         const Vec3 &a = path.points_m[i], &b = path.points_m[i + 1];
         // Most legs are far away. Comparing the hand with their box excludes them at a tenth of the cost.

@@ -22,7 +22,7 @@ enum class GuidanceKind : std::uint8_t {
     // Grooves along the legs from each even point to the next. A groove is a vertical trench that ends at the height of
     // its leg and keeps the hand from leaving sideways.
     Grooves,
-    WayLines,  // The same legs as lines. They hold the hand from all sides, so that the hand can follow the path.
+    PathLines,  // The same legs as lines. They hold the hand from all sides, so that the hand can follow the path.
 };
 
 // The guidance that the app requests. Published as one value; about 1.6 kB.

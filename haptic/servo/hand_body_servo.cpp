@@ -52,7 +52,7 @@ bool HandBodyServo::grip(const BodyTuning& tuning, std::uint32_t buttons, double
     return held_by_button_;
 }
 
-render::BodyPoses HandBodyServo::place(const render::BodyPoses& told, const render::HapticScene& scene, double now_s,
+render::BodyPoses HandBodyServo::place(const render::BodyPoses& given, const render::HapticScene& scene, double now_s,
                                        const Vec3& hand_m, const BodyFeel& feel) noexcept {
     if (channel_->frame.refresh()) bodies_.hear(channel_->frame.read());
     if (bodies_.idle()) feel_ = feel;
@@ -60,7 +60,7 @@ render::BodyPoses HandBodyServo::place(const render::BodyPoses& told, const rend
     const std::size_t count = std::min(scene.bodies.size(), poses_.size());
     const auto take = [&](std::size_t b) {
         if (free_[b]) return;
-        poses_[b] = told.know(b) ? told.at(b) : render::BodyPose{scene.bodies[b].start, scene.bodies[b].present};
+        poses_[b] = given.know(b) ? given.at(b) : render::BodyPose{scene.bodies[b].start, scene.bodies[b].present};
     };
     bool moved = false;
     if (generation_ != scene.generation) {
@@ -71,21 +71,21 @@ render::BodyPoses HandBodyServo::place(const render::BodyPoses& told, const rend
         }
         bodies_.show_all();
         moved = true;
-    } else if (told_ != told.number) {
+    } else if (given_ != given.number) {
         moved = true;
         // If the movement is the same as in the last tick, only the bodies that move in it have changed.
-        if (told.ways && told.ways_number() == told_ways_ && told.ways->number_before != 0) {
-            for (const render::MovingBody& moving : told.ways->moving)
+        if (given.ways && given.ways_number() == given_ways_ && given.ways->number_before != 0) {
+            for (const render::MovingBody& moving : given.ways->moving)
                 if (moving.body < count) take(moving.body);
         } else {
             for (std::size_t b = 0; b < count; ++b) take(b);
         }
     }
-    told_ = told.number;
-    told_ways_ = told.ways_number();
+    given_ = given.number;
+    given_ways_ = given.ways_number();
     moved = bodies_.place(now_s, hand_m, feel_, std::span(poses_).first(count)) || moved;
     if (moved) ++number_;
-    channel_->place.publish({hand_m, feel_.ball_m, now_s});
+    channel_->place.publish({hand_m, feel_.proxy_radius_m, now_s});
     return {std::span(poses_).first(count), number_};
 }
 

@@ -43,8 +43,8 @@ public:
     //   button must have no other effect.
     bool grip(const BodyTuning& tuning, std::uint32_t buttons, double now_s, const Vec3& hand_m) noexcept;
     // 2. Returns the poses of all bodies. Free bodies have the pose at which this hand touches them. The others have
-    //   the pose in `told`, which belongs to this scene or is empty. Valid until the next call.
-    render::BodyPoses place(const render::BodyPoses& told, const render::HapticScene& scene, double now_s,
+    //   the pose in `given`, which belongs to this scene or is empty. Valid until the next call.
+    render::BodyPoses place(const render::BodyPoses& given, const render::HapticScene& scene, double now_s,
                             const Vec3& hand_m, const BodyFeel& feel) noexcept;
     Vec3 carried_m() const noexcept { return bodies_.carried_m(); }
     // 3. Returns the force of the held body on the hand, in world axes and hand newtons.
@@ -78,8 +78,8 @@ private:
     std::vector<char> free_;               // for each body, with room for more: 1 if the engine determines its pose
     // Number of the pose table. The first number is greater than the numbers of any playback.
     std::uint64_t number_ = std::uint64_t{1} << 40;
-    std::uint64_t told_ = 0, told_ways_ = 0;  // numbers of the last argument `told`
-    std::uint32_t generation_ = 0;            // scene to which the last argument `told` belonged
+    std::uint64_t given_ = 0, given_ways_ = 0;  // numbers of the last argument `given`
+    std::uint32_t generation_ = 0;              // scene to which the last argument `given` belonged
     render::TouchResult touched_;
     bool here_ = false, held_by_key_ = false, held_by_button_ = false;
     std::uint32_t buttons_ = 0;  // grip buttons that were pressed in the last tick

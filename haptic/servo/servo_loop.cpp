@@ -17,10 +17,11 @@ namespace {
 constexpr int kRealTimePriority = 70;
 constexpr std::uint64_t kReportEveryTicks = 100;
 
-Scheduling ask_for_real_time() noexcept {
-    sched_param wish{};
-    wish.sched_priority = kRealTimePriority;
-    return pthread_setschedparam(pthread_self(), SCHED_FIFO, &wish) == 0 ? Scheduling::RealTime : Scheduling::Ordinary;
+Scheduling request_real_time() noexcept {
+    sched_param scheduling{};
+    scheduling.sched_priority = kRealTimePriority;
+    return pthread_setschedparam(pthread_self(), SCHED_FIFO, &scheduling) == 0 ? Scheduling::RealTime
+                                                                               : Scheduling::Ordinary;
 }
 
 // Locks the memory of the whole process until the process ends. Pages are locked when they are first used, so memory
@@ -73,7 +74,7 @@ Result<void> ServoLoop::open() {
 
 void ServoLoop::start() {
     if (!open_ || thread_.joinable()) return;
-    stop_asked_.store(false, std::memory_order_release);
+    stop_requested_.store(false, std::memory_order_release);
     thread_ = std::thread([this] {
         name_this_thread("servo");
         run();
@@ -81,7 +82,7 @@ void ServoLoop::start() {
 }
 
 void ServoLoop::stop() {
-    ask_to_stop();
+    request_stop();
     if (thread_.joinable()) {
         thread_.join();
     } else if (open_) {
@@ -146,7 +147,7 @@ bool ServoLoop::step_as() noexcept {
     pose_.refresh();
     bodies_.refresh();
     guidance_.refresh();
-    const bool stopping = stop_asked_.load(std::memory_order_acquire);
+    const bool stopping = stop_requested_.load(std::memory_order_acquire);
     // The switches are read once, so that the recording contains the values that the tick used.
     const std::uint32_t stops = switches_->stops.load(std::memory_order_acquire);
     const bool focused = switches_->focused.load(std::memory_order_acquire);
@@ -198,7 +199,7 @@ void ServoLoop::record(double time_s, const device::DeviceSample& sample, const 
 }
 
 void ServoLoop::run() noexcept {
-    counted_.scheduling = ask_for_real_time();
+    counted_.scheduling = request_real_time();
     counted_.memory_locked = lock_memory();
     if (recording_) run_as<true>();
     else run_as<false>();

@@ -89,7 +89,7 @@ public:
     // stop was requested and the force has faded out.
     bool step() noexcept;
     // Makes step() fade the force out. stop() does the same and waits.
-    void ask_to_stop() { stop_asked_.store(true, std::memory_order_release); }
+    void request_stop() { stop_requested_.store(true, std::memory_order_release); }
 
 private:
     struct SceneHandle {
@@ -131,7 +131,7 @@ private:
     std::unique_ptr<device::HapticDevice> device_;  // used by the servo thread after start()
     std::thread thread_;
     bool open_ = false;
-    std::atomic<bool> stop_asked_{false};
+    std::atomic<bool> stop_requested_{false};
 
     std::vector<KeptScene> kept_;                              // used by the app thread only
     std::shared_ptr<const render::HapticScene> world_, desk_;  // the scenes that the app passed last

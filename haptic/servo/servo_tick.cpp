@@ -23,7 +23,7 @@ constexpr double kRateWindowS = 1.0;
 constexpr double kZeroAfterSlowS = 0.095;
 constexpr double kLongestTouchStepS = 0.1;
 // Proxy radius at the desk; its diameter of 4 mm feels the same as in a room.
-constexpr double kDeskBallRadiusM = 0.002;
+constexpr double kDeskProxyRadiusM = 0.002;
 // Greatest depth of a push that presses an object, as a share of the workspace radius. It limits the push on a device
 // with low stiffness.
 constexpr double kDeskPressDepth = 0.15;
@@ -36,7 +36,7 @@ Fault fault_of(device::DeviceLoss loss) noexcept {
 
 // Returns true for faults after which the hand's position may have jumped, or the renderer's state cannot be trusted.
 bool loses_place(Fault fault) noexcept {
-    return is_gone(fault) || fault == Fault::Jump || fault == Fault::BadSample || fault == Fault::BadForce;
+    return is_lost(fault) || fault == Fault::Jump || fault == Fault::BadSample || fault == Fault::BadForce;
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ void ServoState::raise(Fault fault, bool latched) noexcept {
         fault_latched_ = fault_latched_ || latched;
         return;
     }
-    if (fault_latched_ && !is_gone(fault)) return;
+    if (fault_latched_ && !is_lost(fault)) return;
     fault_ = fault;
     fault_latched_ = latched;
     events_.push(
@@ -115,15 +115,15 @@ void ServoState::watch_pauses(const ServoTuning& tuning) noexcept {
     if (pause == tool_.pause) return;
     const Fault before = tool_.pause;
     tool_.pause = pause;
-    const auto tell = [&](ContactEventKind kind, Fault fault) {
+    const auto report = [&](ContactEventKind kind, Fault fault) {
         events_.push({kind, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, fault});
     };
     if (pause != Fault::None && limiter_.gain() > 0.0 && fault_ == Fault::None) {
-        tell(ContactEventKind::FaultRaised, pause);
-        pause_told_ = true;
-    } else if (pause == Fault::None && pause_told_) {
-        if (fault_ == Fault::None) tell(ContactEventKind::FaultCleared, before);
-        pause_told_ = false;
+        report(ContactEventKind::FaultRaised, pause);
+        pause_reported_ = true;
+    } else if (pause == Fault::None && pause_reported_) {
+        if (fault_ == Fault::None) report(ContactEventKind::FaultCleared, before);
+        pause_reported_ = false;
     }
 }
 
@@ -253,13 +253,13 @@ void ServoState::move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning
     tool_.hip_m = frame.to_world(tool_.hand_m, scale);
     const WorkspaceMotion now = mover_.motion();
     if (now == before) return;
-    const auto tell = [&](ContactEventKind kind) {
+    const auto report = [&](ContactEventKind kind) {
         events_.push({kind, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, Fault::None});
     };
-    if (before == WorkspaceMotion::Scrolled) tell(ContactEventKind::RimLeft);
-    if (before == WorkspaceMotion::Grabbed) tell(ContactEventKind::LetGo);
-    if (now == WorkspaceMotion::Scrolled) tell(ContactEventKind::RimPassed);
-    if (now == WorkspaceMotion::Grabbed) tell(ContactEventKind::Grabbed);
+    if (before == WorkspaceMotion::Scrolled) report(ContactEventKind::RimLeft);
+    if (before == WorkspaceMotion::Grabbed) report(ContactEventKind::LetGo);
+    if (now == WorkspaceMotion::Scrolled) report(ContactEventKind::RimPassed);
+    if (now == WorkspaceMotion::Grabbed) report(ContactEventKind::Grabbed);
 }
 
 // Returns the touch tuning, with the stiffness reduced to what the device can render at its measured rate.
@@ -348,7 +348,7 @@ void ServoState::stand_up() noexcept {
 void ServoState::touch_desk(const render::HapticScene& desk, const ServoTuning& tuning, double dt_s) noexcept {
     render::TouchTuning touch = tuned(tuning);
     touch.world_m_per_hand_m = 1.0;
-    touch.radius_m = kDeskBallRadiusM;
+    touch.radius_m = kDeskProxyRadiusM;
     const render::TouchResult result = render::touch_tick(desk_touch_, desk, touch, tool_.hand_m, dt_s);
     tool_.hip_m = tool_.proxy_m;
     if (!is_finite(result.proxy_m)) {
@@ -408,7 +408,7 @@ void ServoState::touch(const render::HapticScene& scene, const ServoTuning& tuni
         return;
     }
     tool_.proxy_m = result.proxy_m;
-    tool_.ball_radius_m = result.radius_m;
+    tool_.proxy_radius_m = result.radius_m;
     tool_.contacts = result.contacts;
     tool_.soft = result.soft;
     tool_.soft_n = length(result.soft_force_n);
@@ -425,7 +425,7 @@ BodyFeel ServoState::body_feel(const ServoTuning& tuning, const render::TouchTun
     feel.world_m_per_hand_m = touch.world_m_per_hand_m;
     feel.ceiling_n = ceiling_n(tuning);
     feel.felt_gain = felt_gain(feel.ceiling_n, tuning.bodies.strength_n);
-    feel.ball_m = touch.radius_m;
+    feel.proxy_radius_m = touch.radius_m;
     feel.grip_n_per_m = std::min(feel.grip_n_per_m, touch.rated_stiffness_n_per_m * touch.default_stiffness_fraction);
     return feel;
 }

@@ -63,7 +63,7 @@ struct ToolState {
     double time_s = 0.0;
     Vec3 hip_m{0.0}, proxy_m{0.0};  // positions in the world
     Vec3 hand_m{0.0};               // position of the hand in the last good sample, device frame
-    double ball_radius_m = 0.0;
+    double proxy_radius_m = 0.0;
     Vec3 force_n{0.0};        // commanded force after the limiter, world axes
     double force_gain = 0.0;  // gain of the ramp, 0 to 1
     render::ContactSet contacts;
@@ -211,7 +211,7 @@ private:
     Fault fault_ = Fault::None;
     bool fault_latched_ = false;
     bool place_lost_ = false;      // the fault has made everything felt before invalid
-    bool pause_told_ = false;      // tool_.pause took a force away and was reported, so its end must be reported too
+    bool pause_reported_ = false;  // tool_.pause took a force away and was reported, so its end must be reported too
     double window_start_s_ = 0.0;  // start of the period over which the rate is measured
     std::uint64_t window_ticks_ = 0;
     double mean_period_s_ = 1e-3;  // mean time between answers of the device, filtered with one pole of 1 s

@@ -95,8 +95,8 @@ void WorkspaceMover::let_go() noexcept {
     at_limit_ = false;
 }
 
-Vec3 WorkspaceMover::wish_m(const WorkspaceFrame& frame, const WorkspaceTuning& tuning, const Hand& hand,
-                            double world_m_per_hand_m, double dt_s) const noexcept {
+Vec3 WorkspaceMover::wanted_m(const WorkspaceFrame& frame, const WorkspaceTuning& tuning, const Hand& hand,
+                              double world_m_per_hand_m, double dt_s) const noexcept {
     if (motion_ == WorkspaceMotion::Grabbed)
         return hand_known_ ? frame.turn_to_world(hand_m_ - hand.at_m) * world_m_per_hand_m : Vec3(0.0);
     Vec3 speed = tuning.push_hand_m_per_s;
@@ -136,14 +136,14 @@ void WorkspaceMover::move(WorkspaceFrame& frame, const WorkspaceTuning& tuning, 
     // 3. Moves the workspace, once the contact force is low enough.
     at_limit_ = false;
     if (motion_ != WorkspaceMotion::Still && contact_ceiling_n_ < kMovingForceN) {
-        const Vec3 wish = wish_m(frame, tuning, hand, world_m_per_hand_m, dt_s);
-        Vec3 step = wish;
+        const Vec3 wanted = wanted_m(frame, tuning, hand, world_m_per_hand_m, dt_s);
+        Vec3 step = wanted;
         if (!tuning.limits_m.empty()) {
             const Vec3 at = frame.origin_m + shift_m_;
             for (int axis = 0; axis < 3; ++axis)
-                step[axis] = within(at[axis], wish[axis], tuning.limits_m.min_m[axis], tuning.limits_m.max_m[axis]);
+                step[axis] = within(at[axis], wanted[axis], tuning.limits_m.min_m[axis], tuning.limits_m.max_m[axis]);
         }
-        at_limit_ = step != wish;
+        at_limit_ = step != wanted;
         shift_m_ += step;
     }
     hand_m_ = hand.at_m;

@@ -99,8 +99,8 @@ public:
     bool at_limit() const noexcept { return at_limit_; }  // the limits stopped a requested motion
 
 private:
-    Vec3 wish_m(const WorkspaceFrame& frame, const WorkspaceTuning& tuning, const Hand& hand, double world_m_per_hand_m,
-                double dt_s) const noexcept;
+    Vec3 wanted_m(const WorkspaceFrame& frame, const WorkspaceTuning& tuning, const Hand& hand,
+                  double world_m_per_hand_m, double dt_s) const noexcept;
 
     Rim rim_;
     Vec3 shift_m_{0.0};

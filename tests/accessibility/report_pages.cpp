@@ -23,7 +23,7 @@ namespace {
 std::optional<Storey> ground_floor(const std::string& map) {
     const auto scene = read_world(test::project_root() / "worlds" / "maps" / map);
     if (!scene) return std::nullopt;
-    const auto ways = Navigation::make(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    const auto ways = Navigation::make(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
     if (!ways) return std::nullopt;
     const RoomGraph graph = make_rooms(*scene, (*ways)->space());
     auto storey = storey_of(*scene, graph, (*ways)->space(), storey_of_start(*scene, graph, (*ways)->space()));

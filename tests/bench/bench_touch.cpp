@@ -65,7 +65,7 @@ void register_closest_points() {
 // Measures how long a world takes to compile after the person changes the scale: first without simplification, then
 // with details left out or widened that are too small to feel. Also measures the search for such details alone.
 void register_simplifying() {
-    constexpr double kReach_m = 0.075, kRim = 0.8, kRounding_hand_m = 1.5e-3, kBall_hand_m = 1e-3;
+    constexpr double kReach_m = 0.075, kRim = 0.8, kRounding_hand_m = 1.5e-3, kProxy_hand_m = 1e-3;
     for (const char* name : {"house.map", "school.map", "quake-e1m1.map"}) {
         const auto file = std::string_view(name).starts_with("quake") ? real_world(name)
                                                                       : test::project_root() / "worlds" / "maps" / name;
@@ -76,7 +76,7 @@ void register_simplifying() {
         const Vec3 size = scene->bounds_m.size_m();
         for (const double scale : {60.0, std::min(500.0, 0.5 * std::hypot(size.x, size.y) / (kRim * kReach_m))}) {
             const SimplifyOptions options{scale, {}, {}};
-            const double rounding_m = std::min(kRounding_hand_m, kBall_hand_m) * scale;
+            const double rounding_m = std::min(kRounding_hand_m, kProxy_hand_m) * scale;
             const std::string at = fmt::format("{} at {:.0f}", name, scale);
             benchmark::RegisterBenchmark(("compile/" + at).c_str(), [=](benchmark::State& bench) {
                 for (auto _ : bench) benchmark::DoNotOptimize(compile_haptic(*scene, exploring(rounding_m)));

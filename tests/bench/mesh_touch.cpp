@@ -23,7 +23,7 @@
 namespace handrail::test {
 namespace {
 
-constexpr double kSphere_m = 0.5, kBall_m = 0.005, kSpeed_m_per_s = 0.2;
+constexpr double kSphere_m = 0.5, kProxy_m = 0.005, kSpeed_m_per_s = 0.2;
 
 double now_ns() {
     return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -87,8 +87,8 @@ void run(int frequency, int ticks, bool timed) {
                            static_cast<double>(mesh.points_m.size() * sizeof(Vec3)) - triangles * sizeof(Corners)) /
                           triangles;
     TouchTuning tuning;
-    tuning.radius_m = kBall_m;
-    const std::vector<Vec3> goals = sphere_slide(kSphere_m, kBall_m, kSpeed_m_per_s, ticks);
+    tuning.radius_m = kProxy_m;
+    const std::vector<Vec3> goals = sphere_slide(kSphere_m, kProxy_m, kSpeed_m_per_s, ticks);
     TouchState state;
     const Tally tally = measured_ticks(*scene, tuning, goals, state);
     std::vector<double> ns = timed ? tick_times_ns(*scene, tuning, goals) : std::vector<double>(goals.size(), 0.0);

@@ -44,9 +44,9 @@ struct Found {
 
 std::optional<Found> find(const Scene& scene) {
     Found found;
-    const WalkerSize body = body_size(scene, 0.25);
+    const WalkerSize body = walker_size(scene, 0.25);
     auto from = std::chrono::steady_clock::now();
-    auto navigation = Navigation::make(scene, walk_body(scene, body.radius_m, body.height_m, body.step_up_m));
+    auto navigation = Navigation::make(scene, walker_measures(scene, body.radius_m, body.height_m, body.step_up_m));
     if (!navigation) return std::fprintf(stderr, "%s\n", navigation.error().message.c_str()), std::nullopt;
     found.ways_s = since(from);
     const WalkSpace& space = (*navigation)->space();

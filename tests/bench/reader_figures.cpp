@@ -266,7 +266,7 @@ bool apart(const Work& work) {
     return process > 0 && ::waitpid(process, &status, 0) == process && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-void read_and_tell(const std::filesystem::path& path, bool as_map, int fd) {
+void read_and_report(const std::filesystem::path& path, bool as_map, int fd) {
     Figures figures;
     const SteadyClock clock;
     const double before_s = clock.now_s();
@@ -337,12 +337,12 @@ int main(int argc, char** argv) {
             if (!apart([&] { folder.write(path.filename(), format.made(size_for(format, 1e6 * mb))); }) ||
                 ::pipe(ends.data()) != 0)
                 return 1;
-            const bool whole = apart([&] { read_and_tell(path, std::strcmp(format.name, "map") == 0, ends[1]); });
+            const bool whole = apart([&] { read_and_report(path, std::strcmp(format.name, "map") == 0, ends[1]); });
             ::close(ends[1]);
             Figures figures;
-            const bool told = ::read(ends[0], &figures, sizeof figures) == sizeof figures;
+            const bool reported = ::read(ends[0], &figures, sizeof figures) == sizeof figures;
             ::close(ends[0]);
-            if (!whole || !told) {
+            if (!whole || !reported) {
                 std::fprintf(stderr, "reader_figures: reading %s of %.1f MB broke down\n", format.name, mb);
                 return 1;
             }

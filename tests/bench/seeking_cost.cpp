@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/core/wayfinding/hand_way.h"
+#include "app/core/wayfinding/hand_path.h"
 #include "app/core/wayfinding/sought_route.h"
 #include "tests/support/names.h"
 #include "tests/support/project_root.h"
@@ -24,7 +24,7 @@ struct House {
     House()
         : scene(std::make_shared<const Scene>(*read_world(test::project_root() / "worlds/maps/house.map"))),
           world(scene),
-          navigation(*Navigation::make(*scene, walk_body(*scene, 0.25, 1.7, 0.2))),
+          navigation(*Navigation::make(*scene, walker_measures(*scene, 0.25, 1.7, 0.2))),
           feet_m(scene->starts.front().feet_m) {}
     FeatureId thing(const char* name) const {
         const auto& all = scene->features;
@@ -34,8 +34,8 @@ struct House {
     }
     Route walk(FeatureId id) const { return walk_to_thing(*navigation, world, feet_m, scene->find(id)->bounds_m, id); }
     std::vector<Vec3> by_hand(FeatureId id) const {
-        return hand_way(walk(id), feet_m + Vec3(0.0, 0.0, kHand_m), kHand_m, world, scene->find(id)->bounds_m, id,
-                        kMostPoints);
+        return path_of_hand(walk(id), feet_m + Vec3(0.0, 0.0, kHand_m), kHand_m, world, scene->find(id)->bounds_m, id,
+                            kMostPoints);
     }
     std::shared_ptr<const Scene> scene;
     WalkerWorld world;
@@ -78,7 +78,7 @@ void look_where_on_it(benchmark::State& state) {
         along_m = along_m + 0.01 < length_m ? along_m + 0.01 : 0.0;
         const Vec3 at = place_along(points, along_m) + Vec3(0.3, 0.4, 0.0);
         way.follow(at, 1.0, [&](const Vec3& place) { return free_line(house().world, at, place, id); });
-        benchmark::DoNotOptimize(way.told_m());
+        benchmark::DoNotOptimize(way.announced_m());
     }
 }
 BENCHMARK(look_where_on_it)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);

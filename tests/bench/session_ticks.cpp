@@ -50,7 +50,7 @@ public:
         const double touch_s = since_begin();
         until_made(app);
         const double rounded_s = since_begin();
-        double ask_ms = 0.0, scale_ms = 0.0, door_ms = 0.0;
+        double query_ms = 0.0, scale_ms = 0.0, door_ms = 0.0;
         const auto act = [&](Command command, double& worst) {
             worst = std::max(worst, timed([&] {
                                  app.apply(CommandDown{command}, now_s_);
@@ -58,8 +58,8 @@ public:
                              }));
             until_made(app);
         };
-        for (const Command ask : {Command::WhereAmI, Command::AroundMe, Command::AheadOfMe, Command::LookNext})
-            act(ask, ask_ms);
+        for (const Command request : {Command::WhereAmI, Command::AroundMe, Command::AheadOfMe, Command::LookNext})
+            act(request, query_ms);
         for (const Command scale : {Command::ScaleBuilding, Command::ScaleFloor, Command::ScaleRoom,
                                     Command::ScaleDetail, Command::ScaleFloor})
             act(scale, scale_ms);
@@ -77,7 +77,7 @@ public:
         fmt::print(
             "| {} | {:.2f} s | {:.2f} s | {:.0f} ms | {:.2f} s | {:.1f} s | {:.1f} ms | {:.1f} ms | {:.1f} ms | {:.1f} "
             "ms |\n",
-            solids, read_s, ready_s, enter_ms, touch_s, rounded_s, ask_ms, std::max(scale_ms, door_ms), walk_ms,
+            solids, read_s, ready_s, enter_ms, touch_s, rounded_s, query_ms, std::max(scale_ms, door_ms), walk_ms,
             doors_ms);
         return true;
     }

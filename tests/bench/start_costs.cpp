@@ -15,8 +15,8 @@
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"
 #include "worlds/readers/reader.h"
+#include "worlds/stored/stored_navigation.h"
 #include "worlds/stored/stored_scene.h"
-#include "worlds/stored/stored_ways.h"
 
 namespace {
 
@@ -54,10 +54,11 @@ int measure(const char* file) {
     const double mesh_s = cpu_s([&] { (void)NavMesh::make(*space); });
     RoomGraph graph;
     const double rooms_s = cpu_s([&] { graph = make_rooms(*scene, *space); });
-    const double keeping_s = cpu_s([&] { ways = stored_ways(*space, graph); });
-    bool whole_ways = false;
-    const double kept_ways_s = cpu_s([&] { whole_ways = ways_from(unpacked_ways(ways), {}, *scene).has_value(); });
-    if (!whole_ways) return std::fprintf(stderr, "the ways of %s cannot be kept\n", file), 1;
+    const double keeping_s = cpu_s([&] { ways = stored_navigation(*space, graph); });
+    bool whole_navigation = false;
+    const double kept_ways_s =
+        cpu_s([&] { whole_navigation = navigation_from(unpacked_navigation(ways), {}, *scene).has_value(); });
+    if (!whole_navigation) return std::fprintf(stderr, "the ways of %s cannot be kept\n", file), 1;
     const double rest_s = touch_s + mesh_s;
     std::printf(
         "| %s | %.2f s | %.3f s, %.1f MB | %.3f s | %.2f s | %.2f s | %.2f s | %.2f s | %.2f s, %.1f MB | %.2f s | "

@@ -21,7 +21,7 @@ inline std::vector<Vec3> record_walk(const HapticScene& scene, const TouchTuning
     const auto unit = [&random] { return static_cast<double>(random()) / 4294967296.0; };
     TouchState state;
     std::vector<Vec3> goals;
-    Vec3 goal = start_m, ball = start_m, direction(1, 0, 0), normal(0.0);
+    Vec3 goal = start_m, proxy = start_m, direction(1, 0, 0), normal(0.0);
     int left = 1, stuck = 0;
     for (int i = 0; i < ticks; ++i) {
         if (left <= 0 || stuck > 100) {
@@ -38,15 +38,15 @@ inline std::vector<Vec3> record_walk(const HapticScene& scene, const TouchTuning
         }
         const bool touching = normal != Vec3(0.0);
         goal += direction * (touching ? kFeel_m : kWalk_m);
-        const double depth = glm::length(goal - ball);
-        if (touching && depth > kDepth_m) goal = ball + (goal - ball) * (kDepth_m / depth);
+        const double depth = glm::length(goal - proxy);
+        if (touching && depth > kDepth_m) goal = proxy + (goal - proxy) * (kDepth_m / depth);
         goals.push_back(goal);
         const TouchResult r = touch_tick(state, scene, tuning, goal, 1e-3);
         const bool holds = r.contacts.count > 0;
         normal = holds ? r.contacts.contacts[r.contacts.strongest].normal : Vec3(0.0);
         left -= holds ? 1 : 0;
         stuck = glm::length(r.slide_m) < kStuck_m ? stuck + 1 : 0;
-        ball = r.proxy_m;
+        proxy = r.proxy_m;
     }
     return goals;
 }

@@ -139,8 +139,8 @@ void FalconEmulator::run() {
                         ++malformed;
                         continue;
                     }
-                    if (leading_zero) tell({0x00});
-                    tell({0x0a, 0x44, 0x2c, 0x0d});
+                    if (leading_zero) answer_host({0x00});
+                    answer_host({0x0a, 0x44, 0x2c, 0x0d});
                     stage = Stage::Loader;
                     continue;
                 }
@@ -196,7 +196,7 @@ void FalconEmulator::run() {
                     ++malformed;
                     continue;
                 }
-                homing_asked_ = ((from_host_[13] - 0x41) & 1) != 0;
+                homing_requested_ = ((from_host_[13] - 0x41) & 1) != 0;
                 from_host_.erase(from_host_.begin(), from_host_.begin() + 16);
                 motors = wanted;
                 ++frames;
@@ -223,10 +223,10 @@ void FalconEmulator::move_hand() {
         }
     }
     if (homes_by_moving) {
-        if (homing_asked_ && grip_m.z > 0.155) homed_legs_ |= 3;
-        if (homing_asked_ && homed_legs_ == 3 && grip_m.z < 0.115) homed_legs_ = 7;
-    } else if (homing_asked_ && static_cast<int>(frames) > frames_until_homed) homed_legs_ = 7;
-    else if (homing_asked_ && static_cast<int>(frames) > frames_until_homed / 2) homed_legs_ |= 1;
+        if (homing_requested_ && grip_m.z > 0.155) homed_legs_ |= 3;
+        if (homing_requested_ && homed_legs_ == 3 && grip_m.z < 0.115) homed_legs_ = 7;
+    } else if (homing_requested_ && static_cast<int>(frames) > frames_until_homed) homed_legs_ = 7;
+    else if (homing_requested_ && static_cast<int>(frames) > frames_until_homed / 2) homed_legs_ |= 1;
     const Vec3 angles = leg_angles_at(grip_m);
     for (int leg = 0; leg < 3; ++leg) {
         const auto i = static_cast<std::size_t>(leg);

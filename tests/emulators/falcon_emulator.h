@@ -82,14 +82,14 @@ private:
     void run();
     void answer();
     void move_hand();
-    void tell(std::initializer_list<std::uint8_t> bytes) { to_host_.insert(to_host_.end(), bytes); }
+    void answer_host(std::initializer_list<std::uint8_t> bytes) { to_host_.insert(to_host_.end(), bytes); }
 
     std::deque<std::uint8_t> to_host_;
     std::vector<std::uint8_t> from_host_, late_;
     unsigned divisor_ = 0;
     bool speed_known_ = false;
     std::uint8_t homed_legs_ = 0;
-    bool homing_asked_ = false;
+    bool homing_requested_ = false;
     std::array<int, 3> encoders_{}, unknown_zero_{300, -120, 55};
     int stuck_at_ = 0;
     bool is_stuck_ = false;

@@ -40,7 +40,7 @@ void exchange_a_thousand_reports(std::unique_ptr<HidLink> link, PadBus bus, PadE
             {
                 const std::lock_guard guard(lock);
                 emulator.triggers = {static_cast<std::uint8_t>(i), 0};
-                emulator.tell();
+                emulator.send();
             }
             ring();
             const auto input = pad.read(5.0);
@@ -67,9 +67,9 @@ void steer_with_a_space_mouse(std::unique_ptr<HidLink> link, PuckEmulator& emula
     SpaceMouse mouse(std::move(link));
     {
         const std::lock_guard guard(lock);
-        emulator.tell(1, {0, -350, 0});
-        emulator.tell(2, {0, 0, -350});
-        emulator.tell_buttons(1);
+        emulator.send(1, {0, -350, 0});
+        emulator.send(2, {0, 0, -350});
+        emulator.send_buttons(1);
     }
     ring();
     PuckState state;

@@ -73,9 +73,9 @@ bool PadEmulator::take(std::span<const std::uint8_t> report) {
     std::span<const std::uint8_t> body = report;
     if (bluetooth_) {
         if (report.size() != 78 || report[0] != (dual_sense_ ? 0x31 : 0x11)) return ++bad, true;
-        std::uint32_t told = 0;
-        for (std::size_t i = 0; i < 4; ++i) told |= static_cast<std::uint32_t>(report[74 + i]) << (8 * i);
-        if (told != checksum(0xa2, report.first(74))) return ++bad, true;
+        std::uint32_t reported = 0;
+        for (std::size_t i = 0; i < 4; ++i) reported |= static_cast<std::uint32_t>(report[74 + i]) << (8 * i);
+        if (reported != checksum(0xa2, report.first(74))) return ++bad, true;
         if (dual_sense_) {
             const int sequence = report[1] >> 4;
             if (last_sequence >= 0 && sequence != ((last_sequence + 1) & 15)) ++sequence_breaks;
@@ -141,14 +141,14 @@ std::vector<std::uint8_t> PadEmulator::input() const {
     return report;
 }
 
-void PadEmulator::tell() { to_host.push_back(input()); }
+void PadEmulator::send() { to_host.push_back(input()); }
 
-void PadEmulator::tell_wrong_checksum() {
+void PadEmulator::send_wrong_checksum() {
     to_host.push_back(input());
     to_host.back()[30] ^= 0x04;
 }
 
-void PuckEmulator::tell(std::uint8_t number, std::array<int, 3> axes) {
+void PuckEmulator::send(std::uint8_t number, std::array<int, 3> axes) {
     std::vector<std::uint8_t> report{number};
     for (const int axis : axes) {
         report.push_back(static_cast<std::uint8_t>(axis & 0xff));
@@ -157,11 +157,11 @@ void PuckEmulator::tell(std::uint8_t number, std::array<int, 3> axes) {
     to_host.push_back(std::move(report));
 }
 
-void PuckEmulator::tell_all(std::array<int, 6> axes) {
-    tell(1, {axes[0], axes[1], axes[2]});
+void PuckEmulator::send_all(std::array<int, 6> axes) {
+    send(1, {axes[0], axes[1], axes[2]});
     std::vector<std::uint8_t> whole = std::move(to_host.back());
     to_host.pop_back();
-    tell(1, {axes[3], axes[4], axes[5]});
+    send(1, {axes[3], axes[4], axes[5]});
     whole.insert(whole.end(), to_host.back().begin() + 1, to_host.back().end());
     to_host.back() = std::move(whole);
 }

@@ -38,8 +38,8 @@ public:
     std::vector<std::uint8_t> feature(std::uint8_t number) override;
     // Queues an input report of the pad's current state. Over Bluetooth the reports are short until the host has
     // requested the calibration.
-    void tell();
-    void tell_wrong_checksum();
+    void send();
+    void send_wrong_checksum();
 
     // State of sticks, triggers and keys.
     std::array<std::uint8_t, 4> sticks{128, 128, 128, 128};
@@ -70,9 +70,9 @@ public:
         return true;
     }
     std::vector<std::uint8_t> feature(std::uint8_t) override { return {}; }
-    void tell(std::uint8_t number, std::array<int, 3> axes);
-    void tell_all(std::array<int, 6> axes);
-    void tell_buttons(std::uint32_t buttons) {
+    void send(std::uint8_t number, std::array<int, 3> axes);
+    void send_all(std::array<int, 6> axes);
+    void send_buttons(std::uint32_t buttons) {
         to_host.push_back({3, static_cast<std::uint8_t>(buttons), static_cast<std::uint8_t>(buttons >> 8),
                            static_cast<std::uint8_t>(buttons >> 16), static_cast<std::uint8_t>(buttons >> 24)});
     }

@@ -45,7 +45,7 @@ double push_east(const CrateWorld& world, Dynamics& engine) {
     tuning.damping_ns_per_m = 5.0;
     BodyFeel feel;
     feel.world_m_per_hand_m = tuning.world_m_per_hand_m;
-    feel.ball_m = tuning.radius_m;
+    feel.proxy_radius_m = tuning.radius_m;
 
     BodiesInReach bodies(0);  // the index of this hand; a world has up to two
     bodies.enter(world.moves.get());
@@ -67,7 +67,7 @@ double push_east(const CrateWorld& world, Dynamics& engine) {
         felt_n = std::min(glm::length(touch.force_n), feel.ceiling_n);
         bodies.react(touch, felt_n / std::max(1e-9, glm::length(touch.force_n)), now_s, 1e-3, feel, pushes);
         // One step of the engine, as DynamicsLoop runs it on its own thread.
-        engine.place_hand(0, {hand_m, feel.ball_m, now_s});
+        engine.place_hand(0, {hand_m, feel.proxy_radius_m, now_s});
         for (HandPush push; pushes.pop(push);) engine.push(0, push);
         while (engine.time_s() + Dynamics::kStep_s <= now_s + 1e-3) engine.step(frame, events);
     }

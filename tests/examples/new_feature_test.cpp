@@ -18,15 +18,15 @@ public:
 
     void enter_world() {
         walked_m_ = 0.0;
-        was_m_ = context_.body.feet_m();
+        was_m_ = context_.avatar.feet_m();
     }
     // The session calls this once a tick. If the walker is farther away than a step, the walker did not walk: something
     // placed it there.
     void tick() {
-        const Vec3 off = context_.body.feet_m() - was_m_;
+        const Vec3 off = context_.avatar.feet_m() - was_m_;
         const double moved_m = std::hypot(off.x, off.y);
         if (moved_m < context_.settings.walk.step_length_m) walked_m_ += moved_m;
-        was_m_ = context_.body.feet_m();
+        was_m_ = context_.avatar.feet_m();
     }
     // Returns false if the command belongs to another feature. This example borrows a command; a real feature has its
     // own.
@@ -49,10 +49,10 @@ TEST(NewFeature, counts_steps_without_a_full_session) {
     steps.enter_world();
     const double step_m = plain.person.settings.walk.step_length_m;
     const auto walk = [&](const Vec3& to_m) {
-        plain.body.walker->place(to_m);
+        plain.avatar.walker->place(to_m);
         steps.tick();
     };
-    const Vec3 from_m = plain.body.feet_m();
+    const Vec3 from_m = plain.avatar.feet_m();
     for (int i = 1; i <= 20; ++i) walk(from_m + Vec3(0.0, 0.5 * step_m * i, 0.0));
     walk(from_m + Vec3(5.0, 0.0, 0.0));  // too far for a step, so the walker was placed there
     EXPECT_FALSE(steps.act(Command::Exits, 0.0)) << "another's command";

@@ -98,7 +98,7 @@ TEST(Example, a_custom_solid_is_located_by_search_and_felt_there) {
     }
 }
 
-TEST(Example, a_ball_goes_round_a_custom_solid_without_entering_it) {
+TEST(Example, the_proxy_goes_round_a_custom_solid_without_entering_it) {
     const auto scene = handrail_with_knob();
     TouchState state;
     TouchTuning tuning;

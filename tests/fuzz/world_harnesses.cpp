@@ -92,7 +92,7 @@ std::string picture_of_fault(std::string_view bytes) {
 
 std::string map_fault(std::string_view bytes) {
     ReadOptions options;
-    options.read_beside = [](const std::string&) -> Result<std::string> { return fail("There is no such file."); };
+    options.read_next_to = [](const std::string&) -> Result<std::string> { return fail("There is no such file."); };
     return scene_fault(read_quake_map(bytes, "fuzz.map", options));
 }
 

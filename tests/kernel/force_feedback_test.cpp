@@ -53,7 +53,7 @@ public:
     UserStick(const UserStick&) = delete;
     UserStick& operator=(const UserStick&) = delete;
 
-    void tell(std::uint16_t type, std::uint16_t code, int value) {
+    void send(std::uint16_t type, std::uint16_t code, int value) {
         for (const input_event& event : {make(type, code, value), make(EV_SYN, SYN_REPORT, 0)})
             EXPECT_EQ(::write(fd_, &event, sizeof event), static_cast<ssize_t>(sizeof event));
     }
@@ -148,7 +148,7 @@ TEST(KernelForceFeedback, stick_rests_against_a_wall_within_one_axis_step_of_the
         const double reach_m = device.spec().workspace_radius_m;
         double x_m = -0.5 * reach_m, speed = 0.0;
         for (int i = 0; i < 1000; ++i) {
-            stick.tell(EV_ABS, ABS_X, static_cast<int>(std::lround(x_m / reach_m * 512)));
+            stick.send(EV_ABS, ABS_X, static_cast<int>(std::lround(x_m / reach_m * 512)));
             const DeviceSample sample = device.read(0.0);
             ASSERT_TRUE(sample.connected);
             const double wanted_n = std::min(0.0, -kWall * sample.position_m.x);

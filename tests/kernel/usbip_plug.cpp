@@ -127,9 +127,9 @@ void UsbIpPlug::unlinked(std::span<const std::uint32_t, 12> header) {
                                  [&](const Waiting& waiting) { return waiting.number == victim; });
     const int status = at == waiting_.end() ? 0 : -ECONNRESET;
     if (at != waiting_.end()) waiting_.erase(at);
-    std::array<std::uint32_t, 12> told{kUnlinked, ntohl(header[1])};
-    told[5] = static_cast<std::uint32_t>(status);
-    write_all(socket_, network_order(told));
+    std::array<std::uint32_t, 12> reported{kUnlinked, ntohl(header[1])};
+    reported[5] = static_cast<std::uint32_t>(status);
+    write_all(socket_, network_order(reported));
 }
 
 void UsbIpPlug::serve_waiting() {

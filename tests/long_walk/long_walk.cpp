@@ -110,7 +110,7 @@ struct Walker {
     double unit() { return static_cast<double>(random()) / 4294967296.0; }
     // Returns the hand's next position, one millisecond later at 1 m/s. Three of four directions lead along the touched
     // surface.
-    Vec3 step(const Vec3& goal, const Vec3& ball, const std::optional<Vec3>& normal) {
+    Vec3 step(const Vec3& goal, const Vec3& proxy, const std::optional<Vec3>& normal) {
         if (--left <= 0 || stuck > 100) {
             do {
                 const double x = 2 * unit() - 1, y = 2 * unit() - 1, z = 2 * unit() - 1;
@@ -123,8 +123,8 @@ struct Walker {
             stuck = 0;
         }
         Vec3 next = goal + direction * 1e-3;
-        const double away = glm::length(next - ball);
-        if (away > kTether_m) next = ball + (next - ball) * (kTether_m / away);
+        const double away = glm::length(next - proxy);
+        if (away > kTether_m) next = proxy + (next - proxy) * (kTether_m / away);
         return next;
     }
 };
@@ -158,28 +158,28 @@ int run(long ticks, std::uint32_t seed) {
     tuning.default_stiffness_fraction = 1.0;
     TouchState state;
     Walker walker{std::mt19937(seed)};
-    Vec3 goal = scene->starts.front().feet_m + Vec3(0, 0, 1.0), ball = goal, force(0.0);
+    Vec3 goal = scene->starts.front().feet_m + Vec3(0, 0, 1.0), proxy = goal, force(0.0);
     std::optional<Vec3> normal;
     Findings found;
     const auto begun = std::chrono::steady_clock::now();
     const auto broken = [&](long tick, const std::string& what) {
-        std::cout << fmt::format("seed {}, tick {}: {} (ball {} {} {}, hand {} {} {})\n", seed, tick, what, ball.x,
-                                 ball.y, ball.z, goal.x, goal.y, goal.z);
+        std::cout << fmt::format("seed {}, tick {}: {} (ball {} {} {}, hand {} {} {})\n", seed, tick, what, proxy.x,
+                                 proxy.y, proxy.z, goal.x, goal.y, goal.z);
         return 1;
     };
     for (long i = 0; i < ticks; ++i) {
         // Every fifty seconds, puts the hand elsewhere, so that one walk covers the whole building.
         if (i % 50000 == 0 && i > 0) {
             const Start& start = scene->starts[walker.random() % scene->starts.size()];
-            goal = ball = start.feet_m + Vec3(0, 0, 0.5 + walker.unit());
+            goal = proxy = start.feet_m + Vec3(0, 0, 0.5 + walker.unit());
             state.reset();
             normal.reset();
             force = Vec3(0.0);
         }
-        const Vec3 goal_before = goal, ball_before = ball, force_before = force;
-        goal = walker.step(goal, ball, normal);
+        const Vec3 goal_before = goal, proxy_before = proxy, force_before = force;
+        goal = walker.step(goal, proxy, normal);
         const TouchResult r = touch_tick(state, *haptic, tuning, goal, 1e-3);
-        ball = r.proxy_m;
+        proxy = r.proxy_m;
         force = r.force_n;
         if (r.contacts.ghosted) continue;
         // Both ends of every segment of the proxy's path must be at least a radius away from all solids. If such a
@@ -190,9 +190,9 @@ int run(long ticks, std::uint32_t seed) {
                 return broken(i, "a piece of way is longer than the ball");
             if (!judge.clear(solver.path_m(k), r.radius_m - 1e-9)) return broken(i, "the ball's way is in a solid");
         }
-        if (!judge.knows(ball)) return broken(i, "the ball left the world");
-        if (!judge.clear(ball, r.radius_m - 1e-9)) return broken(i, "the ball is in a solid");
-        const bool pulled = glm::length(ball - goal) > 1e-9;
+        if (!judge.knows(proxy)) return broken(i, "the ball left the world");
+        if (!judge.clear(proxy, r.radius_m - 1e-9)) return broken(i, "the ball is in a solid");
+        const bool pulled = glm::length(proxy - goal) > 1e-9;
         if (pulled && !r.contacts.capped && (r.contacts.count == 0 || force == Vec3(0.0)))
             return broken(i, "the hand is held by nothing");
         if (!pulled && !judge.clear(goal, kRadius_m - 1e-9)) return broken(i, "contact was lost");
@@ -209,7 +209,7 @@ int run(long ticks, std::uint32_t seed) {
             const double on_its_way_n =
                 r.contacts.capped ? kStiffness_n_per_m * (glm::length(goal - goal_before) + tuning.slide_cap_hand_m)
                                   : 0.0;
-            if (jump_n > on_its_way_n && !explained(judge, ball_before, goal, ball))
+            if (jump_n > on_its_way_n && !explained(judge, proxy_before, goal, proxy))
                 return broken(i, fmt::format("the force jumped by {:.2f} N where no edge explains it", jump_n));
         }
         normal =

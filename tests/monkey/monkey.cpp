@@ -62,7 +62,7 @@ void Monkey::begin() {
     walls_.reset();
     body_free_m_ = 0.0;
     least_radius_m_ = Settings{}.walk.body_radius_m;
-    ball_free_[0] = ball_free_[1] = {};
+    proxy_free_[0] = proxy_free_[1] = {};
     facts_[0] = facts_[1] = {};
     if (chance(0.8)) {
         facts_[0].present = facts_[0].simulated = true;
@@ -325,7 +325,7 @@ void Monkey::run(double seconds) {
             const ToolState& tool = session_->tool(which);
             // If the hand felt no force, or the force started to fade in again on this tick, the proxy may have
             // restarted at the hand, even inside a wall. Then the last check says nothing about it.
-            Free& free = ball_free_[which];
+            Free& free = proxy_free_[which];
             if (tool.force_gain == 0.0 || free.gain == 0.0 || tool.force_gain < free.gain) free.known = false;
             free.gain = tool.force_gain;
             const double force_n = glm::length(tool.force_n),
@@ -346,7 +346,7 @@ void Monkey::check_places() {
     const std::shared_ptr<const HapticScene> touch = app().haptic_scene();
     for (std::size_t which = 0; which < 2; ++which) {
         const ToolState& tool = session_->tool(which);
-        Free& free = ball_free_[which];
+        Free& free = proxy_free_[which];
         if (!touch || !facts_[which].present || tool.ticks == 0 || tool.scene_generation != touch->generation ||
             tool.desk.open) {
             free.known = false;
@@ -371,7 +371,7 @@ void Monkey::check_places() {
     }
     if (!walls_) return;
     least_radius_m_ = std::min(least_radius_m_, app().settings().walk.body_radius_m);
-    const WalkerSize size = body_size(*walls_of_, least_radius_m_);
+    const WalkerSize size = walker_size(*walls_of_, least_radius_m_);
     const Vec3 feet = app().feet_m();
     const bool blocked = walls_->blocked(feet, {size.radius_m, size.height_m});
     if (blocked && body_free_m_ == size.radius_m)

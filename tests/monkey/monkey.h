@@ -102,7 +102,7 @@ private:
         std::uint32_t generation = 0, jump = 0;
         double gain = 0.0;  // gain of the force at the last tick
     };
-    Free ball_free_[2];
+    Free proxy_free_[2];
     std::shared_ptr<const Scene> walls_of_;
     std::unique_ptr<WalkerWorld> walls_;
     // Least value that the setting of the walker's radius ever had. A walker copies its radius from the setting when it

@@ -23,10 +23,10 @@ ProgramRun bench(std::vector<std::string> words) {
 }
 
 TEST(Bench, reports_servo_timing_in_words_and_as_json) {
-    const ProgramRun told = bench({"--seconds", "0.5"});
-    EXPECT_EQ(told.exit_status, 0) << told.err;
-    EXPECT_THAT(told.out, HasSubstr("The servo in "));
-    EXPECT_THAT(told.out, HasSubstr(" ticks. From tick to tick at most "));
+    const ProgramRun reported = bench({"--seconds", "0.5"});
+    EXPECT_EQ(reported.exit_status, 0) << reported.err;
+    EXPECT_THAT(reported.out, HasSubstr("The servo in "));
+    EXPECT_THAT(reported.out, HasSubstr(" ticks. From tick to tick at most "));
     const ProgramRun json = bench({"house", "--seconds", "0.5", "--json"});
     ASSERT_EQ(json.exit_status, 0) << json.err;
     const auto found = nlohmann::json::parse(json.out);

@@ -104,7 +104,7 @@ TEST_F(Caches, never_write_through_a_symbolic_link_in_the_folder_of_a_world) {
     info(map);
     info(file);
     EXPECT_EQ(content_of(diary), "my diary");
-    // Skip the rest, because the tests AskedEarly.* run the same threads under this sanitizer.
+    // Skip the rest, because the tests RequestedEarly.* run the same threads under this sanitizer.
     if (kThreadSanitizer) return;
     const std::string said = marked(map);
     EXPECT_EQ(content_of(diary), "my diary");

@@ -97,9 +97,9 @@ TEST_F(CalibrateProgram, the_same_wizard_runs_in_a_session_and_returns_to_the_wo
 TEST_F(CalibrateProgram, a_damaged_profile_is_reported_at_the_start_and_stays_in_the_file) {
     std::filesystem::create_directories(home_.path() / "handrail");
     const auto file = home_.write("handrail/settings.toml", "[profile.sim-t]\nceiling_n = 900.0\nhand = \"left\"\n");
-    const ProgramRun told = run({"--no-window", "--device", "sim-t"}, "quit\n");
-    EXPECT_EQ(told.exit_status, 0) << told.err;
-    EXPECT_THAT(told.out, HasSubstr("This profile is not used"));
+    const ProgramRun reported = run({"--no-window", "--device", "sim-t"}, "quit\n");
+    EXPECT_EQ(reported.exit_status, 0) << reported.err;
+    EXPECT_THAT(reported.out, HasSubstr("This profile is not used"));
     EXPECT_THAT(content_of(file), HasSubstr("ceiling_n = 900.0"));
     const ProgramRun anew = run({"calibrate", "--no-window", "--device", "sim-t", "--only", "strongest"}, "\n");
     EXPECT_EQ(anew.exit_status, 0) << anew.err;

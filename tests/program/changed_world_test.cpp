@@ -22,29 +22,29 @@ void write_house(const std::filesystem::path& file, const std::string& name) {
 
 TEST(ChangedWorld, is_announced_once_and_can_be_reloaded_from_the_menu) {
     const TemporaryFolder home;
-    const std::filesystem::path world = home.path() / "barn.rooms", told = home.path() / "told";
+    const std::filesystem::path world = home.path() / "barn.rooms", output = home.path() / "told";
     write_house(world, "Old barn");
     Environment environment = bare_environment(home.path().string());
     environment["XDG_CONFIG_HOME"] = (home.path() / "config").string();
     const auto program = ChildProcess::start(
         {built_program("handrail"), world.string(), "--device", "none", "--no-window", "--set", "speech.through=text"},
-        environment, told);
+        environment, output);
     ASSERT_TRUE(program);
     const auto says = [&](const std::string& words) {
-        return eventually([&] { return content_of(told).find(words) != std::string::npos; });
+        return eventually([&] { return content_of(output).find(words) != std::string::npos; });
     };
-    ASSERT_TRUE(says("Old barn,")) << content_of(told);
+    ASSERT_TRUE(says("Old barn,")) << content_of(output);
     write_house(world, "New and larger barn");
-    EXPECT_TRUE(says("barn.rooms has changed since you entered it.")) << content_of(told);
+    EXPECT_TRUE(says("barn.rooms has changed since you entered it.")) << content_of(output);
     program->type("where\n");
     program->type("menu\nread this world again\n");
-    EXPECT_TRUE(says("New and larger barn,")) << content_of(told);
+    EXPECT_TRUE(says("New and larger barn,")) << content_of(output);
     std::filesystem::remove(world);
-    EXPECT_TRUE(says("barn.rooms no longer exists.")) << content_of(told);
+    EXPECT_TRUE(says("barn.rooms no longer exists.")) << content_of(output);
     program->type("quit\n");
     EXPECT_EQ(program->exit_status(), 0);
-    EXPECT_EQ(times_in(content_of(told), "has changed since you entered it"), 1U) << content_of(told);
-    EXPECT_EQ(times_in(content_of(told), "no longer exists"), 1U);
+    EXPECT_EQ(times_in(content_of(output), "has changed since you entered it"), 1U) << content_of(output);
+    EXPECT_EQ(times_in(content_of(output), "no longer exists"), 1U);
 }
 
 // Earlier, the program accepted a setting with a key that cannot be pressed, and reported nothing. Nobody could then

@@ -268,8 +268,8 @@ std::string fault_of_program(const Reader& reader, Words words) {
     if (command && words[0] == "bench") words.insert(words.end(), {"--seconds", "0.1"});
     if (command && words[0] == "replay" && words.size() == 1) words.insert(words.end(), {"--speed", "4"});
     if (!words.empty()) reader.make_learner_for(words);
-    const bool asks = !words.empty() && words[0] == "learner";
-    const ProgramRun run = reader.run(reader.arguments(words), asks ? "yes\n" : "");
+    const bool confirms = !words.empty() && words[0] == "learner";
+    const ProgramRun run = reader.run(reader.arguments(words), confirms ? "yes\n" : "");
     const bool faults_are_found = command && words[0] == "check";
     if (run.timed_out || (run.exit_status != 0 && !(faults_are_found && run.exit_status == 1)))
         return "status " + std::to_string(run.exit_status) + ": " + run.out.substr(0, 500) + run.err.substr(0, 500);

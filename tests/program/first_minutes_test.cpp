@@ -94,10 +94,10 @@ protected:
         environment["XDG_CONFIG_HOME"] = (home_.path() / "nothing").string();
         program_ = ChildProcess::start(
             {test::built_program("handrail"), "--device", "sim-t", "--no-window", "--set", "speech.through=text"},
-            environment, told_);
+            environment, output_);
         ASSERT_TRUE(program_);
     }
-    std::string said() const { return content_of(told_); }
+    std::string said() const { return content_of(output_); }
     Outcome take(std::initializer_list<Step> steps) {
         constexpr std::size_t kBusyEnough = 6;  // greatest number of repetitions; a real person would give up sooner
         std::size_t from = 0, busy = 0, stopped = 0;
@@ -126,7 +126,7 @@ protected:
         return Outcome::Done;
     }
 
-    const std::filesystem::path told_ = home_.path() / "told";
+    const std::filesystem::path output_ = home_.path() / "told";
     std::unique_ptr<ChildProcess> program_;
 
 private:

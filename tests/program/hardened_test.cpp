@@ -13,7 +13,7 @@ namespace hardened_test {
 using testing::ContainsRegex;
 using testing::HasSubstr;
 
-std::string told_of(const std::string& program) {
+std::string readelf_of(const std::string& program) {
     std::string text;
     const std::string command =
         std::string("readelf --wide --file-header --program-headers --dynamic --dyn-syms '") + program + "' 2>&1";
@@ -30,18 +30,18 @@ TEST(Hardened, programs_start_at_random_addresses_with_read_only_tables_and_guar
         GTEST_SKIP() << "This preset is built without, or for a sanitizer, which guards in its own way.";
     for (const std::string& program : {test::built_program("handrail"), test::built_program("handrail-guard")}) {
         SCOPED_TRACE(program);
-        const std::string told = told_of(program);
-        EXPECT_THAT(told, ContainsRegex("Type: +DYN \\(Position-Independent Executable file\\)"));
-        EXPECT_THAT(told, HasSubstr("GNU_RELRO"));
-        EXPECT_THAT(told, HasSubstr("BIND_NOW"));
-        EXPECT_THAT(told, ContainsRegex("GNU_STACK[ 0-9a-fx]* RW "));  // the stack is not executable
-        EXPECT_THAT(told, HasSubstr("__stack_chk_fail"));
+        const std::string header = readelf_of(program);
+        EXPECT_THAT(header, ContainsRegex("Type: +DYN \\(Position-Independent Executable file\\)"));
+        EXPECT_THAT(header, HasSubstr("GNU_RELRO"));
+        EXPECT_THAT(header, HasSubstr("BIND_NOW"));
+        EXPECT_THAT(header, ContainsRegex("GNU_STACK[ 0-9a-fx]* RW "));  // the stack is not executable
+        EXPECT_THAT(header, HasSubstr("__stack_chk_fail"));
     }
 #ifdef __OPTIMIZE__
-    EXPECT_THAT(told_of(test::built_program("handrail")),
+    EXPECT_THAT(readelf_of(test::built_program("handrail")),
                 ContainsRegex("__[a-z]+_chk@"));  // the programs call the checked versions of the C library's functions
 #endif
-    EXPECT_THAT(told_of(test::built_program("handrail")), HasSubstr("__glibcxx_assert_fail"));
+    EXPECT_THAT(readelf_of(test::built_program("handrail")), HasSubstr("__glibcxx_assert_fail"));
 }
 
 }  // namespace hardened_test

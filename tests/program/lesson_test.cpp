@@ -162,9 +162,9 @@ TEST_F(TaughtByTheProgram, resumes_with_the_next_session_and_stores_results_only
     Pupil first(*this, "first", words);
     ASSERT_TRUE(first.hears("Session 1 of 3 is next.")) << first.all();
     ASSERT_TRUE(first.hears("Get to know Entrance hall")) << first.all();
-    for (const char* asked : {"Face Trophy case", "Face Drinking fountain", "Walls is over."}) {
+    for (const char* requested : {"Face Trophy case", "Face Drinking fountain", "Walls is over."}) {
         first.type("done");
-        ASSERT_TRUE(first.hears(asked)) << first.all();
+        ASSERT_TRUE(first.hears(requested)) << first.all();
     }
     // The list of lessons must show the started session immediately.
     first.type("task");
@@ -328,8 +328,8 @@ TEST_F(TaughtByTheProgram, gives_the_same_errors_in_the_check_and_in_the_lesson_
         EXPECT_EQ(checked.exit_status, 2) << wrong;
         EXPECT_EQ(written.exit_status, 2) << wrong;
         // Compare only the last line, because on a busy machine progress messages may precede it.
-        const auto last_line = [](const std::string& told) {
-            return told.substr(told.rfind('\n', told.size() - 2) + 1);
+        const auto last_line = [](const std::string& reported) {
+            return reported.substr(reported.rfind('\n', reported.size() - 2) + 1);
         };
         EXPECT_EQ(last_line(written.err), last_line(checked.err));
         EXPECT_THAT(written.err, HasSubstr("line"));

@@ -47,7 +47,7 @@ protected:
 };
 
 TEST_F(MadeDoor, exists_at_once_and_in_the_next_session_until_it_is_removed) {
-    if (test::kThreadSanitizer) GTEST_SKIP() << "AskedEarly.* runs the same threads";
+    if (test::kThreadSanitizer) GTEST_SKIP() << "RequestedEarly.* runs the same threads";
     EXPECT_EQ(check(), 1) << "the kitchen cannot be reached";
     EXPECT_THAT(said_of("describe kitchen\n"), HasSubstr("No exits."));
     const std::string made = said_of("faults\nkitchen cannot\n1\ndescribe kitchen\nroutes kitchen\n");

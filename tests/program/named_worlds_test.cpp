@@ -97,9 +97,9 @@ TEST(AsWords, written_to_a_file_the_house_is_read_back_with_the_same_rooms_and_d
     ASSERT_EQ(written.exit_status, 0) << written.err;
     const TemporaryFolder folder;
     const fs::path file = folder.write("house.rooms", written.out);
-    const ProgramRun told = run_with({"info", file.string(), "--json"});
-    ASSERT_EQ(told.exit_status, 0) << told.err;
-    const auto facts = nlohmann::json::parse(told.out);
+    const ProgramRun reported = run_with({"info", file.string(), "--json"});
+    ASSERT_EQ(reported.exit_status, 0) << reported.err;
+    const auto facts = nlohmann::json::parse(reported.out);
     EXPECT_EQ(facts.at("name"), "House with a garden");
     const auto rooms = rooms_in(written.out);
     EXPECT_GE(rooms.size(), 12U);

@@ -185,9 +185,9 @@ TEST_P(RecordedByChance, becomes_a_scenario_that_passes_unchanged) {
     const ProgramRun made = run_program(replay);
     ASSERT_EQ(made.exit_status, 0) << made.err;
     // The scenario made from the recording must expect most of the recorded answers.
-    std::smatch told;
-    if (std::regex_search(made.out, told, std::regex("not expected: ([0-9]+) of ([0-9]+)\\."))) {
-        EXPECT_LE(3 * std::stoi(told[1]), std::stoi(told[2])) << made.out;
+    std::smatch reported;
+    if (std::regex_search(made.out, reported, std::regex("not expected: ([0-9]+) of ([0-9]+)\\."))) {
+        EXPECT_LE(3 * std::stoi(reported[1]), std::stoi(reported[2])) << made.out;
     }
     replay.arguments = {"scenario", scenario};
     const ProgramRun played = run_program(replay);

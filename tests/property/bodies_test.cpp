@@ -105,7 +105,7 @@ TEST(Bodies, a_box_that_moves_against_a_still_hand_is_felt_on_every_face) {
 }
 
 // Case T18: a plate that turns about its middle once a second sweeps a held proxy along and never passes through it.
-TEST(Bodies, a_turning_plate_never_passes_through_the_ball) {
+TEST(Bodies, a_turning_plate_never_passes_through_the_proxy) {
     for (const double half_thickness : {0.01, 1e-4, 0.0}) {
         TouchWorld world;
         if (half_thickness > 0.0) world.box({-0.3, -half_thickness, -0.3}, {0.3, half_thickness, 0.3});
@@ -131,7 +131,7 @@ TEST(Bodies, a_turning_plate_never_passes_through_the_ball) {
 
 // Case T19: two walls close on the proxy until the gap is a fifth of a millimetre, and open again. The proxy shrinks to
 // half the gap, stays exactly in the middle, and never moves faster than the walls.
-TEST(Bodies, two_closing_walls_leave_the_ball_in_the_middle) {
+TEST(Bodies, two_closing_walls_leave_the_proxy_in_the_middle) {
     for (const bool one_still : {false, true}) {
         HapticSceneBuilder builder;
         const auto slab = box_shape({0.05, 0.2, 0.2});
@@ -273,7 +273,7 @@ TEST(Bodies, adding_and_removing_static_things_under_the_hand_is_gentle) {
 
 // Friction carries a resting proxy along with a moving floor; without friction the proxy stays behind. The force that
 // pulls the proxy back never leaves the friction cone.
-TEST(Bodies, friction_carries_the_ball_on_a_moving_floor) {
+TEST(Bodies, friction_carries_the_proxy_on_a_moving_floor) {
     for (const double mu : {0.0, 0.4}) {
         HapticSceneBuilder builder;
         builder.add_body(FeatureId{1}, box_shape({1, 1, 0.5}), {Vec3(0, 0, -0.5), {}, 1.0});

@@ -5,7 +5,7 @@
 
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/touch.h"
-#include "tests/property/stiff_ball.h"
+#include "tests/property/stiff_proxy.h"
 #include "tests/support/block_mesh.h"
 #include "tests/support/names.h"
 #include "tests/support/scale.h"
@@ -46,9 +46,9 @@ TEST(ClosedMeshes, are_never_entered_by_a_hand_that_presses_on_them) {
         Aabb box;
         for (const Vec3& p : world.mesh.points_m) box.include(p);
         box = grown(box, 0.1);
-        const TouchTuning tuning = test::stiff_ball(0.005);
+        const TouchTuning tuning = test::stiff_proxy(0.005);
         TouchState state;
-        Vec3 ball = box.min_m, hand = ball, direction{1, 0, 0}, normal{0.0};
+        Vec3 proxy = box.min_m, hand = proxy, direction{1, 0, 0}, normal{0.0};
         int touching = 0, left = 0;
         const int ticks = test::scaled(20'000);
         for (int i = 0; i < ticks; ++i) {
@@ -57,19 +57,20 @@ TEST(ClosedMeshes, are_never_entered_by_a_hand_that_presses_on_them) {
                 // are drawn in separate statements, because compilers evaluate arguments in different orders.
                 const double z = unit(), y = unit(), x = unit();
                 const Vec3 aim = box.min_m + box.size_m() * Vec3(x, y, z);
-                direction = glm::normalize(aim - ball + Vec3(1e-6));
+                direction = glm::normalize(aim - proxy + Vec3(1e-6));
                 if (normal != Vec3(0.0) && random() % 3 != 0)
                     direction -= normal * (glm::dot(direction, normal) + 0.3 * glm::length(direction));
                 left = 100 + static_cast<int>(300 * unit());
             }
             hand += direction * 1e-3;
             hand = glm::clamp(hand, box.min_m, box.max_m);
-            if (const double away = glm::length(hand - ball); away > 0.01) hand = ball + (hand - ball) * (0.01 / away);
+            if (const double away = glm::length(hand - proxy); away > 0.01)
+                hand = proxy + (hand - proxy) * (0.01 / away);
             const TouchResult felt = touch_tick(state, *world.haptic, tuning, hand, 1e-3);
-            ball = felt.proxy_m;
+            proxy = felt.proxy_m;
             touching += felt.contacts.count > 0 ? 1 : 0;
             normal = felt.contacts.count > 0 ? felt.contacts.contacts[felt.contacts.strongest].normal : Vec3(0.0);
-            ASSERT_FALSE(world.mesh.holds(ball)) << i << ": " << ball.x << " " << ball.y << " " << ball.z;
+            ASSERT_FALSE(world.mesh.holds(proxy)) << i << ": " << proxy.x << " " << proxy.y << " " << proxy.z;
         }
         EXPECT_GT(touching, ticks / 20) << "the first strokes only come to it, which counts where few are made";
     }
@@ -93,15 +94,15 @@ TEST(ClosedMeshes, release_a_hand_that_started_inside_and_do_not_let_it_back_in)
         }
         const Vec3 away = box.max_m + Vec3(0.3);
         TouchState state;
-        const TouchTuning tuning = test::stiff_ball(0.005);
+        const TouchTuning tuning = test::stiff_proxy(0.005);
         const Vec3 way = (away - within) / 2000.0;
-        Vec3 ball = within;
+        Vec3 proxy = within;
         for (int i = 0; i <= 2500; ++i)
-            ball = touch_tick(state, *world.haptic, tuning, within + way * double(std::min(i, 2000)), 1e-3).proxy_m;
-        EXPECT_LT(glm::length(ball - away), 0.02) << "out";
+            proxy = touch_tick(state, *world.haptic, tuning, within + way * double(std::min(i, 2000)), 1e-3).proxy_m;
+        EXPECT_LT(glm::length(proxy - away), 0.02) << "out";
         for (int i = 0; i <= 2500; ++i)
-            ball = touch_tick(state, *world.haptic, tuning, away - way * double(std::min(i, 2000)), 1e-3).proxy_m;
-        EXPECT_FALSE(mesh.holds(ball)) << "not back in";
+            proxy = touch_tick(state, *world.haptic, tuning, away - way * double(std::min(i, 2000)), 1e-3).proxy_m;
+        EXPECT_FALSE(mesh.holds(proxy)) << "not back in";
     }
 }
 

@@ -97,8 +97,8 @@ TEST(FrictionExact, a_straight_press_feels_frictionless_on_every_tick) {
         TouchState state;
         bool touched = false;
         go(state, scene, motion, tuning, {0.017, 0.431, 0.0303}, {0.017, 0.431, -0.008}, speed,
-           [&](const Vec3& hand, const Vec3& ball, const TouchResult& r) {
-               ASSERT_NEAR(glm::length(ball - Vec3(hand.x, hand.y, std::max(hand.z, kRadius_m))), 0.0, exact_m)
+           [&](const Vec3& hand, const Vec3& proxy, const TouchResult& r) {
+               ASSERT_NEAR(glm::length(proxy - Vec3(hand.x, hand.y, std::max(hand.z, kRadius_m))), 0.0, exact_m)
                    << hand.z;
                touched = touched || r.contacts.count > 0;
            });
@@ -115,10 +115,10 @@ TEST(FrictionExact, a_slanted_press_lags_by_its_movement_along_the_surface_or_by
             const Vec3 begin(0.0, 0.4, 0.0303), end(slant * 0.0383, 0.4, -0.008);
             const double first_x = slant * (begin.z - kRadius_m);  // x of the point where the path meets the surface
             go(state, scene, motion, tuning, begin, end, speed,
-               [&](const Vec3& hand, const Vec3& ball, const TouchResult&) {
+               [&](const Vec3& hand, const Vec3& proxy, const TouchResult&) {
                    const double press = std::max(0.0, kRadius_m - hand.z),
                                 lag = std::min(std::max(0.0, hand.x - first_x), mu * press);
-                   ASSERT_NEAR(glm::length(ball - (hand + Vec3(-lag, 0.0, press))), 0.0, exact_m) << hand.z;
+                   ASSERT_NEAR(glm::length(proxy - (hand + Vec3(-lag, 0.0, press))), 0.0, exact_m) << hand.z;
                });
         }
     });
@@ -130,9 +130,9 @@ TEST(FrictionExact, a_slide_drags_in_proportion_to_the_press_and_sticks_first_af
         TouchState state;
         const double press = 0.006, depth = kRadius_m - press;
         double x = 0.0;  // position of the proxy
-        const auto check = [&](const Vec3& hand, const Vec3& ball, const TouchResult& r) {
+        const auto check = [&](const Vec3& hand, const Vec3& proxy, const TouchResult& r) {
             x = std::clamp(x, hand.x - mu * press, hand.x + mu * press);
-            ASSERT_NEAR(glm::length(ball - Vec3(x, 0.4, kRadius_m)), 0.0, exact_m) << hand.x;
+            ASSERT_NEAR(glm::length(proxy - Vec3(x, 0.4, kRadius_m)), 0.0, exact_m) << hand.x;
             ASSERT_NEAR(glm::length(r.force_n - 1000.0 * (r.proxy_m - motion(hand))), 0.0, 1e-9);
         };
         go(state, scene, motion, tuning, {0, 0.4, 0.0303}, {0, 0.4, depth}, speed,
@@ -149,9 +149,9 @@ TEST(FrictionExact, a_slide_into_a_wall_is_held_only_by_the_floor_until_it_arriv
                       double speed, double exact_m) {
         TouchState state;
         const double press = 0.003, depth = kRadius_m - press, wall_x = 0.1 - kRadius_m;
-        const auto check = [&](const Vec3& hand, const Vec3& ball, const TouchResult&) {
+        const auto check = [&](const Vec3& hand, const Vec3& proxy, const TouchResult&) {
             const double x = std::min(wall_x, std::max(0.06, hand.x - mu * press));
-            ASSERT_NEAR(glm::length(ball - Vec3(x, 0.4, kRadius_m)), 0.0, exact_m) << hand.x;
+            ASSERT_NEAR(glm::length(proxy - Vec3(x, 0.4, kRadius_m)), 0.0, exact_m) << hand.x;
         };
         go(state, scene, motion, tuning, {0.06, 0.4, 0.0303}, {0.06, 0.4, depth}, speed,
            [](const Vec3&, const Vec3&, const TouchResult&) {});
@@ -166,9 +166,9 @@ TEST(FrictionExact, a_press_into_an_edge_between_floor_and_wall_lags_only_along_
         const Vec3 corner(0.1 - kRadius_m, 0.4, kRadius_m), way(0.008, 0.0, -0.008);
         TouchResult last;
         go(state, scene, motion, tuning, corner - 3.17 * way, corner + way, speed,
-           [&](const Vec3& hand, const Vec3& ball, const TouchResult& r) {
+           [&](const Vec3& hand, const Vec3& proxy, const TouchResult& r) {
                const bool in = hand.x > corner.x + 1e-9;
-               ASSERT_NEAR(glm::length(ball - (in ? corner : hand)), 0.0, exact_m) << hand.x;
+               ASSERT_NEAR(glm::length(proxy - (in ? corner : hand)), 0.0, exact_m) << hand.x;
                last = r;
            });
         EXPECT_EQ(last.contacts.count, 2);
@@ -188,8 +188,8 @@ TEST(FrictionExact, a_straight_press_on_the_middle_of_a_round_thing_feels_fricti
                 const Vec3 out = random_turn(random).turn * Vec3(0, 0, 1);
                 TouchState state;
                 go(state, *scene, {}, rubbing(mu), out * (round_m + 0.0303), out * (round_m - 0.006), speed,
-                   [&](const Vec3& hand, const Vec3& ball, const TouchResult&) {
-                       ASSERT_NEAR(glm::length(ball - out * std::max(round_m + kRadius_m, glm::dot(hand, out))), 0.0,
+                   [&](const Vec3& hand, const Vec3& proxy, const TouchResult&) {
+                       ASSERT_NEAR(glm::length(proxy - out * std::max(round_m + kRadius_m, glm::dot(hand, out))), 0.0,
                                    1e-8)
                            << "mu " << mu << ", " << speed << " m/s, " << glm::dot(hand, out);
                    });
@@ -211,10 +211,10 @@ TEST(FrictionExact, a_slide_over_round_things_touches_them_and_stays_in_the_fric
                 SCOPED_TRACE(fmt::format("{}, mu {}, {} m/s", which, mu, speed));
                 const double tolerance = which == 0 ? 5e-8 : 2e-5;  // greater for facets, which lie inside the sphere
                 TouchState state;
-                const auto check = [&](const Vec3& hand, const Vec3& ball, const TouchResult& r) {
+                const auto check = [&](const Vec3& hand, const Vec3& proxy, const TouchResult& r) {
                     if (r.contacts.count == 0 || r.contacts.capped) return;
-                    ASSERT_NEAR(glm::length(ball), round_m + kRadius_m, tolerance) << hand.x;
-                    const Vec3 out = ball / glm::length(ball), pull = ball - hand;
+                    ASSERT_NEAR(glm::length(proxy), round_m + kRadius_m, tolerance) << hand.x;
+                    const Vec3 out = proxy / glm::length(proxy), pull = proxy - hand;
                     const double normal = glm::dot(pull, out), along = glm::length(pull - out * normal);
                     ASSERT_LE(along, mu * normal + (which == 0 ? 1e-6 : 2e-4)) << hand.x;
                 };
@@ -226,7 +226,7 @@ TEST(FrictionExact, a_slide_over_round_things_touches_them_and_stays_in_the_fric
 }
 
 // While friction holds the proxy, it does not creep, on round or flat surfaces, however long the hand stays.
-TEST(FrictionExact, a_sticking_ball_does_not_creep) {
+TEST(FrictionExact, a_sticking_proxy_does_not_creep) {
     TouchWorld round, flat = slab(2, true);
     round.sphere(Vec3(0.0), 0.05);
     for (const double mu : {0.15, 0.4, 0.9}) {
@@ -240,12 +240,12 @@ TEST(FrictionExact, a_sticking_ball_does_not_creep) {
                [](const Vec3&, const Vec3&, const TouchResult&) {});
             Vec3 stuck(0.0);
             go(state, *scene, {}, rubbing(mu), {0.02, 0.0, top - 0.006}, {0.0199, 0.0, top - 0.006}, 1e-4,
-               [&](const Vec3&, const Vec3& ball, const TouchResult&) { stuck = ball; });
+               [&](const Vec3&, const Vec3& proxy, const TouchResult&) { stuck = proxy; });
             for (int i = 0; i < 3000; ++i) {
                 const Vec3 tremor(2e-5 * std::sin(0.05 * i), 2e-5 * std::sin(0.07 * i), 0.0);
-                const Vec3 ball =
+                const Vec3 proxy =
                     touch_tick(state, *scene, rubbing(mu), Vec3(0.0199, 0.0, top - 0.006) + tremor, kTick_s).proxy_m;
-                ASSERT_EQ(ball, stuck) << "mu " << mu << (on_round ? ", round, tick " : ", flat, tick ") << i;
+                ASSERT_EQ(proxy, stuck) << "mu " << mu << (on_round ? ", round, tick " : ", flat, tick ") << i;
             }
         }
     }

@@ -32,10 +32,10 @@ void everywhere(const TouchCase& c, const TouchTuning& tuning, Check&& check) {
 
 // Returns the proxy's positions while the hand stays at `goal`, which is a way-point of the case, in the world's own
 // frame.
-std::vector<Vec3> balls_at(const TouchCase& c, const TouchTuning& tuning, const Vec3& goal) {
+std::vector<Vec3> proxies_at(const TouchCase& c, const TouchTuning& tuning, const Vec3& goal) {
     std::vector<Vec3> found;
-    everywhere(c, tuning, [&](std::size_t, const Vec3& g, const Vec3& ball, const TouchResult&) {
-        if (glm::length(g - goal) < 1e-12) found.push_back(ball);
+    everywhere(c, tuning, [&](std::size_t, const Vec3& g, const Vec3& proxy, const TouchResult&) {
+        if (glm::length(g - goal) < 1e-12) found.push_back(proxy);
     });
     EXPECT_FALSE(found.empty());
     return found;
@@ -45,39 +45,39 @@ TEST(HardCase, T1_T8_T10_planes_that_are_cut_doubled_or_littered_feel_like_one_p
     for (const char* name : {"T1", "T8", "T10"}) {
         const TouchCase c = case_named(name);
         everywhere(c, plain_tuning(c.radius_m),
-                   [&](std::size_t i, const Vec3& g, const Vec3& ball, const TouchResult& r) {
+                   [&](std::size_t i, const Vec3& g, const Vec3& proxy, const TouchResult& r) {
                        const bool wall = std::string(name) == "T8" && g.x > 0.02 - c.radius_m;
                        if (g.z < c.radius_m) {
-                           ASSERT_NEAR(ball.z, c.radius_m, 1e-9) << i;
+                           ASSERT_NEAR(proxy.z, c.radius_m, 1e-9) << i;
                        }
                        if (!wall) {
-                           ASSERT_NEAR(ball.x, g.x, 1e-8);
-                           ASSERT_NEAR(ball.y, g.y, 1e-8);
+                           ASSERT_NEAR(proxy.x, g.x, 1e-8);
+                           ASSERT_NEAR(proxy.y, g.y, 1e-8);
                            // The solver takes one round for each of the three triangles at a T-junction, and one that
                            // finds the result complete. Duplicate and degenerate triangles add rounds.
                            if (std::string(name) == "T1") {
                                ASSERT_LE(r.contacts.iterations, 4);
                            }
                        } else {
-                           ASSERT_NEAR(ball.x, 0.02 - c.radius_m, 1e-8);
+                           ASSERT_NEAR(proxy.x, 0.02 - c.radius_m, 1e-8);
                        }
                    });
     }
 }
 
-TEST(HardCase, T2_a_ball_sinks_into_a_crack_by_its_sagitta_and_no_deeper) {
+TEST(HardCase, T2_the_proxy_sinks_into_a_crack_by_its_sagitta_and_no_deeper) {
     for (const double radius : {0.005, 0.003}) {
         for (const auto& [name, w] : {std::pair{"T2a", 1e-5}, {"T2b", 1e-4}, {"T2c", 5e-4}, {"T2d", 1e-3}}) {
             const TouchCase c = case_named(name, radius);
             Vec3 last(0.0), last_goal(0.0);
             double lowest = 1.0;
             everywhere(c, plain_tuning(radius),
-                       [&](std::size_t i, const Vec3& g, const Vec3& ball, const TouchResult&) {
-                           lowest = std::min(lowest, ball.z);
+                       [&](std::size_t i, const Vec3& g, const Vec3& proxy, const TouchResult&) {
+                           lowest = std::min(lowest, proxy.z);
                            if (i > 0) {
-                               ASSERT_LE(glm::length((ball - g) - (last - last_goal)), 1.6e-3);
+                               ASSERT_LE(glm::length((proxy - g) - (last - last_goal)), 1.6e-3);
                            }
-                           last = ball;
+                           last = proxy;
                            last_goal = g;
                        });
             EXPECT_GE(lowest, std::sqrt(radius * radius - w * w / 4) - 1e-9) << name;
@@ -85,42 +85,42 @@ TEST(HardCase, T2_a_ball_sinks_into_a_crack_by_its_sagitta_and_no_deeper) {
     }
     const TouchCase point = case_named("T2a", 1e-5);
     everywhere(point, plain_tuning(1e-5),
-               [&](std::size_t, const Vec3&, const Vec3& ball, const TouchResult&) { ASSERT_GE(ball.z, 0.0); });
+               [&](std::size_t, const Vec3&, const Vec3& proxy, const TouchResult&) { ASSERT_GE(proxy.z, 0.0); });
 }
 
 TEST(HardCase, T3_T4_corners_of_overlapping_boxes_are_sharp_in_every_representation) {
-    for (const Vec3& ball : balls_at(case_named("T3"), plain_tuning(0.005), {.025, .001, -.008})) {
-        EXPECT_NEAR(ball.x, 0.005, 1e-9);
-        EXPECT_NEAR(ball.y, 0.001, 1e-9);
-        EXPECT_NEAR(ball.z, 0.005, 1e-9);
+    for (const Vec3& proxy : proxies_at(case_named("T3"), plain_tuning(0.005), {.025, .001, -.008})) {
+        EXPECT_NEAR(proxy.x, 0.005, 1e-9);
+        EXPECT_NEAR(proxy.y, 0.001, 1e-9);
+        EXPECT_NEAR(proxy.z, 0.005, 1e-9);
     }
     for (const char* name : {"T4a", "T4b", "T4c"})
-        for (const Vec3& ball : balls_at(case_named(name), plain_tuning(0.005), {.025, .03, -.008}))
-            EXPECT_LE(glm::length(ball - Vec3(.005, .015, .005)), 1e-9) << name;
+        for (const Vec3& proxy : proxies_at(case_named(name), plain_tuning(0.005), {.025, .03, -.008}))
+            EXPECT_LE(glm::length(proxy - Vec3(.005, .015, .005)), 1e-9) << name;
     const TouchCase triangles = case_named("T4a"), boxes = case_named("T4b"), brushes = case_named("T4c");
     const Trace expected = trace(boxes.world, boxes.goals_m, {}, plain_tuning(0.005));
     EXPECT_LE(largest_difference(expected, trace(triangles.world, boxes.goals_m, {}, plain_tuning(0.005))), 1e-9);
     EXPECT_LE(largest_difference(expected, trace(brushes.world, boxes.goals_m, {}, plain_tuning(0.005))), 1e-9);
 }
 
-TEST(HardCase, T5_a_ball_rests_in_a_crevice_where_both_sides_support_it) {
+TEST(HardCase, T5_the_proxy_rests_in_a_crevice_where_both_sides_support_it) {
     for (const auto& [name, degrees] : {std::pair{"T5a", 10.0}, {"T5b", 2.0}, {"T5c", 0.5}}) {
         const TouchCase c = case_named(name);
         const double half = radians_from_degrees(degrees) / 2, rest = c.radius_m / std::sin(half);
         for (const Vec3& goal : {Vec3(-.004, .01, rest + .02 - .06), Vec3(.0005, 0, rest + .02 - .06)})
-            for (const Vec3& ball : balls_at(c, plain_tuning(c.radius_m), goal)) {
-                EXPECT_NEAR(ball.z, rest, 1e-8) << name;
-                EXPECT_NEAR(ball.x, 0.0, 1e-8);
-                EXPECT_NEAR(ball.y, goal.y, 1e-8);
+            for (const Vec3& proxy : proxies_at(c, plain_tuning(c.radius_m), goal)) {
+                EXPECT_NEAR(proxy.z, rest, 1e-8) << name;
+                EXPECT_NEAR(proxy.x, 0.0, 1e-8);
+                EXPECT_NEAR(proxy.y, goal.y, 1e-8);
             }
         // The walls of the groove do not amplify a hand's encoder steps of 0.06 mm.
         std::vector<Vec3> coarse = c.goals_m;
         for (Vec3& g : coarse) g = glm::round(g / 6e-5) * 6e-5;
-        Vec3 last_ball = coarse[0], last_goal = coarse[0];
+        Vec3 last_proxy = coarse[0], last_goal = coarse[0];
         replay(*c.world.scene(), coarse, {}, uncapped_tuning(c.radius_m),
                [&](std::size_t, const Vec3& g, const TouchResult& r, const ProxySolver&) {
-                   ASSERT_LE(glm::length(r.proxy_m - last_ball), glm::length(g - last_goal) + 1e-8);
-                   last_ball = r.proxy_m;
+                   ASSERT_LE(glm::length(r.proxy_m - last_proxy), glm::length(g - last_goal) + 1e-8);
+                   last_proxy = r.proxy_m;
                    last_goal = g;
                });
     }
@@ -132,11 +132,11 @@ TEST(HardCase, T6_T7_slipping_off_an_edge_or_spike_never_jumps_more_than_the_cap
             if (!c.name.starts_with(name)) continue;
             Vec3 last(0.0), last_goal(0.0);
             everywhere(
-                c, plain_tuning(c.radius_m), [&](std::size_t i, const Vec3& g, const Vec3& ball, const TouchResult&) {
+                c, plain_tuning(c.radius_m), [&](std::size_t i, const Vec3& g, const Vec3& proxy, const TouchResult&) {
                     if (i > 0) {
-                        ASSERT_LE(glm::length(ball - last), std::max(0.5e-3, 2 * glm::length(g - last_goal)) + 1e-9);
+                        ASSERT_LE(glm::length(proxy - last), std::max(0.5e-3, 2 * glm::length(g - last_goal)) + 1e-9);
                     }
-                    last = ball;
+                    last = proxy;
                     last_goal = g;
                 });
         }
@@ -146,16 +146,16 @@ TEST(HardCase, T6_T7_slipping_off_an_edge_or_spike_never_jumps_more_than_the_cap
 TEST(HardCase, T9_raw_sliver_triangles_lag_by_a_third_of_a_millimetre_at_most) {
     for (const char* name : {"T9a", "T9b", "T9c"}) {
         const TouchCase c = case_named(name);
-        everywhere(c, plain_tuning(c.radius_m), [&](std::size_t, const Vec3& g, const Vec3& ball, const TouchResult&) {
-            ASSERT_GE(ball.z, c.radius_m - 1e-9);
+        everywhere(c, plain_tuning(c.radius_m), [&](std::size_t, const Vec3& g, const Vec3& proxy, const TouchResult&) {
+            ASSERT_GE(proxy.z, c.radius_m - 1e-9);
             if (g.z < c.radius_m) {
-                ASSERT_LE(glm::length(ball - Vec3(g.x, g.y, c.radius_m)), 3e-4);
+                ASSERT_LE(glm::length(proxy - Vec3(g.x, g.y, c.radius_m)), 3e-4);
             }
         });
     }
 }
 
-TEST(HardCase, T11_T12_a_thin_wall_and_a_sheet_stop_the_ball_at_5_metres_per_second_from_either_side) {
+TEST(HardCase, T11_T12_a_thin_wall_and_a_sheet_stop_the_proxy_at_5_metres_per_second_from_either_side) {
     for (const char* name : {"T11a", "T11b", "T12"}) {
         TouchCase c = case_named(name);
         const double rest = std::string(name) == "T12" ? 0.005 : 0.00505;
@@ -163,10 +163,10 @@ TEST(HardCase, T11_T12_a_thin_wall_and_a_sheet_stop_the_ball_at_5_metres_per_sec
             if (side < 0.0)
                 for (Vec3& g : c.goals_m) g.x = -g.x;
             everywhere(c, plain_tuning(c.radius_m),
-                       [&](std::size_t, const Vec3& g, const Vec3& ball, const TouchResult&) {
-                           ASSERT_LE(ball.x * side, -rest + 1e-9);
+                       [&](std::size_t, const Vec3& g, const Vec3& proxy, const TouchResult&) {
+                           ASSERT_LE(proxy.x * side, -rest + 1e-9);
                            if (g.x * side > -rest) {
-                               ASSERT_NEAR(ball.x * side, -rest, 1e-9);
+                               ASSERT_NEAR(proxy.x * side, -rest, 1e-9);
                            }
                        });
         }
@@ -186,7 +186,7 @@ double error_against_reference(const TouchCase& c, const Motion& motion, const T
     return worst;
 }
 
-TEST(HardCase, T13_stalls_of_the_hand_lead_the_ball_where_a_steady_hand_would) {
+TEST(HardCase, T13_stalls_of_the_hand_lead_the_proxy_where_a_steady_hand_would) {
     for (const char* name : {"T13a", "T13b"}) {
         const TouchCase c = case_named(name);
         for (const std::uint32_t seed : {0U, 31U, 32U}) {
@@ -270,16 +270,16 @@ TEST(HardCase, I9_at_an_edge_the_energy_gain_is_that_of_a_rolling_ball) {
             for (double turn = 0.0; turn <= kPi / 2; turn += kTurn)
                 goals.emplace_back(.05 + (kRadius - depth) * std::sin(turn), .003, (kRadius - depth) * std::cos(turn));
             const double gain = kRadius / (kRadius - depth);
-            Vec3 last_ball(0.0), last_goal(0.0);
+            Vec3 last_proxy(0.0), last_goal(0.0);
             replay(*world.scene(motion), goals, motion, uncapped_tuning(kRadius),
                    [&](std::size_t i, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
                        if (i > round_from) {
                            const double expected = gain * glm::length(goal - last_goal);
-                           ASSERT_NEAR(glm::length(r.proxy_m - last_ball), expected,
+                           ASSERT_NEAR(glm::length(r.proxy_m - last_proxy), expected,
                                        1e-3 * expected + (solid ? 0.0 : kSettled))
                                << "depth " << depth << " solid " << solid;
                        }
-                       last_ball = r.proxy_m;
+                       last_proxy = r.proxy_m;
                        last_goal = goal;
                    });
         }
@@ -287,7 +287,7 @@ TEST(HardCase, I9_at_an_edge_the_energy_gain_is_that_of_a_rolling_ball) {
 }
 
 // Tests the second half of invariant I6, with triangle soups of many sizes.
-TEST(HardCase, T16_I6_in_triangle_soups_the_ball_is_where_it_should_be_on_999_of_1000_ticks) {
+TEST(HardCase, T16_I6_in_triangle_soups_the_proxy_is_where_it_should_be_on_999_of_1000_ticks) {
     const std::uint32_t seed0 = seed_of_run();
     std::size_t ticks = 0, unsettled = 0, off = 0;
     double worst_settled = 0.0;

@@ -65,7 +65,7 @@ class HollowCase : public EveryCase {};
 // Cases whose answer is unique and continuous: no soup, no raw slivers, no spike.
 class TidyCase : public EveryCase {};
 
-TEST_P(EveryCase, keeps_the_ball_and_its_whole_path_outside_all_obstacles) {  // invariants I1, I2 and I3
+TEST_P(EveryCase, keeps_the_proxy_and_its_whole_path_outside_all_obstacles) {  // invariants I1, I2 and I3
     for (const bool turned : {false, true}) {
         Motion motion = turned ? random_turn(random_) : Motion{};
         if (turned) motion.shift_m = {12.3, -4.5, 6.7};
@@ -88,7 +88,7 @@ TEST_P(EveryCase, keeps_the_ball_and_its_whole_path_outside_all_obstacles) {  //
     }
 }
 
-TEST_P(EveryCase, uses_only_cuts_that_contain_the_ball_and_support_their_obstacle) {  // invariant I4
+TEST_P(EveryCase, uses_only_cuts_that_contain_the_proxy_and_support_their_obstacle) {  // invariant I4
     const Motion motion = random_turn(random_);
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     const auto scene = case_.world.scene(motion);
@@ -156,7 +156,7 @@ TEST_P(EveryCase, stops_only_where_contacts_prevent_further_movement) {  // inva
     RecordProperty("unfinished", static_cast<int>(unfinished));
 }
 
-TEST_P(EveryCase, keeps_the_ball_still_while_the_hand_is_still) {  // invariant I7
+TEST_P(EveryCase, keeps_the_proxy_still_while_the_hand_is_still) {  // invariant I7
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     const auto scene = case_.world.scene();
     TouchState state;
@@ -194,19 +194,19 @@ TEST_P(EveryCase, follows_the_hand_exactly_and_without_force_in_free_space) {  /
 TEST_P(HollowCase, gives_the_hand_no_energy) {  // invariant I9
     const Motion motion = random_turn(random_);
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
-    Vec3 last_goal = motion(case_.goals_m.front()), last_ball = last_goal;
+    Vec3 last_goal = motion(case_.goals_m.front()), last_proxy = last_goal;
     double worst = 0.0;
     replay(*case_.world.scene(motion), case_.goals_m, motion, uncapped_tuning(case_.radius_m),
            [&](std::size_t, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
                worst = std::max(
-                   worst, glm::length((r.proxy_m - goal) - (last_ball - last_goal)) - glm::length(goal - last_goal));
+                   worst, glm::length((r.proxy_m - goal) - (last_proxy - last_goal)) - glm::length(goal - last_goal));
                last_goal = goal;
-               last_ball = r.proxy_m;
+               last_proxy = r.proxy_m;
            });
     EXPECT_LE(worst, 1e-8);
 }
 
-TEST_P(EveryCase, moves_the_ball_no_further_per_tick_than_the_cap) {  // invariant I10
+TEST_P(EveryCase, moves_the_proxy_no_further_per_tick_than_the_cap) {  // invariant I10
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     Vec3 last_goal = case_.goals_m.front();
     replay(*case_.world.scene(), case_.goals_m, {}, plain_tuning(case_.radius_m),

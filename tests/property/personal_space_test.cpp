@@ -44,12 +44,12 @@ public:
     }
 
     void command(HandMode mode, const Vec3& target_m, double speed_m_per_s, std::uint32_t buttons = 0) {
-        HandCommand wish;
-        wish.mode = mode;
-        wish.target_m = target_m;
-        wish.speed_m_per_s = speed_m_per_s;
-        wish.buttons = buttons;
-        hand_->command.publish(wish);
+        HandCommand command;
+        command.mode = mode;
+        command.target_m = target_m;
+        command.speed_m_per_s = speed_m_per_s;
+        command.buttons = buttons;
+        hand_->command.publish(command);
     }
     void tick() {
         now_s_ += kTick;
@@ -351,11 +351,11 @@ TEST(PersonalSpace, a_contact_on_one_side_is_left_behind_without_a_knock) {
         rig.rest(1.5);
         rig.go(Vec3(0.0, -at + 0.006, 0.0), 0.05);
         rig.forget();
-        const Vec3 ball_before = rig.tool().proxy_m;
+        const Vec3 proxy_before = rig.tool().proxy_m;
         rig.go(Vec3(0.0, -at - depth - 0.001, 0.0), 0.02);
         ASSERT_TRUE(rig.tool().desk.open);
         EXPECT_GT(rig.most_n(), 2.0) << "the world did not resist";
-        EXPECT_LT(glm::length(rig.tool().proxy_m - ball_before), 0.13);
+        EXPECT_LT(glm::length(rig.tool().proxy_m - proxy_before), 0.13);
         const Vec3 place_m = rig.tool().proxy_m;
         rig.rest(0.4);
         EXPECT_LT(glm::length(rig.force_n()), 1e-3);

@@ -65,7 +65,7 @@ TEST(Pole, with_as_many_triangles_as_candidates_is_felt_within_seven_tenths_of_a
 
 // With more triangles than candidates, the proxy waits at a place where it knows all triangles near it. It lags but
 // never enters the sphere, and the solver reports the lag.
-TEST(Pole, with_more_triangles_than_candidates_holds_the_ball_back_and_reports_it) {
+TEST(Pole, with_more_triangles_than_candidates_holds_the_proxy_back_and_reports_it) {
     const OverPole over = slide_over_pole(2 * ProxySolver::kMaxCandidates, 2000);
     EXPECT_GT(over.truncated_share, 0.1);
     EXPECT_GE(over.nearest_m, 0.005 - 1e-5);

@@ -11,11 +11,11 @@
 
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/touch.h"
-#include "tests/property/stiff_ball.h"
+#include "tests/property/stiff_proxy.h"
+#include "tests/support/direction_through.h"
 #include "tests/support/known_buildings.h"
 #include "tests/support/names.h"
 #include "tests/support/scale.h"
-#include "tests/support/way_through.h"
 #include "worlds/geometry/box_index.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/stated_building.h"
@@ -92,11 +92,11 @@ TEST(RealBuildings, never_let_a_hand_into_a_solid) {
         const Solids solids(*scene);
         const std::vector<Vec3> places_m = places_in(*scene);
         ASSERT_FALSE(places_m.empty()) << name;
-        const TouchTuning tuning = test::stiff_ball(0.005);
+        const TouchTuning tuning = test::stiff_proxy(0.005);
         TouchState state;
         std::mt19937 random(20261124);
         const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
-        Vec3 ball{0.0}, hand{0.0}, direction{1, 0, 0};
+        Vec3 proxy{0.0}, hand{0.0}, direction{1, 0, 0};
         Vec3 normal{0.0};  // normal of the touched surface; zero: no surface is touched
         int touching = 0, left = 0;
         std::size_t room = 0;
@@ -107,8 +107,8 @@ TEST(RealBuildings, never_let_a_hand_into_a_solid) {
                 do {
                     ASSERT_LT(looked++, places_m.size()) << name << ": no place is free";
                     room = (room + 1) % places_m.size();
-                    ball = hand = places_m[room] + Vec3(0, 0, 0.2);
-                } while (solids.depth_m(ball) > -0.02 && solids.depth_m(ball) != -1.0);
+                    proxy = hand = places_m[room] + Vec3(0, 0, 0.2);
+                } while (solids.depth_m(proxy) > -0.02 && solids.depth_m(proxy) != -1.0);
                 state.reset();
             }
             if (--left <= 0) {
@@ -119,15 +119,16 @@ TEST(RealBuildings, never_let_a_hand_into_a_solid) {
                 left = 200 + static_cast<int>(800 * unit());
             }
             hand += direction * 1e-3;
-            if (const double away = glm::length(hand - ball); away > 0.01) hand = ball + (hand - ball) * (0.01 / away);
+            if (const double away = glm::length(hand - proxy); away > 0.01)
+                hand = proxy + (hand - proxy) * (0.01 / away);
             const TouchResult felt = touch_tick(state, *haptic, tuning, hand, 1e-3);
-            ball = felt.proxy_m;
+            proxy = felt.proxy_m;
             if (felt.contacts.ghosted) continue;
             touching += felt.contacts.count > 0 ? 1 : 0;
             normal = Vec3(0.0);
             if (felt.contacts.count > 0) normal = felt.contacts.contacts[felt.contacts.strongest].normal;
-            ASSERT_LE(solids.depth_m(ball), 1e-6)
-                << name << ", tick " << i << ": " << ball.x << " " << ball.y << " " << ball.z;
+            ASSERT_LE(solids.depth_m(proxy), 1e-6)
+                << name << ", tick " << i << ": " << proxy.x << " " << proxy.y << " " << proxy.z;
         }
         EXPECT_GT(touching, ticks / 10) << name;
     }
@@ -135,20 +136,20 @@ TEST(RealBuildings, never_let_a_hand_into_a_solid) {
 
 // Returns whether a proxy passes from one point to the other. At the scale "Room" the proxy has a radius of 0.1 m in
 // the building, like a fist.
-bool ball_passes(const HapticScene& haptic, const Vec3& from_m, const Vec3& to_m) {
+bool proxy_passes(const HapticScene& haptic, const Vec3& from_m, const Vec3& to_m) {
     TouchState state;
-    const TouchTuning tuning = test::stiff_ball(0.1);
-    Vec3 ball = from_m;
+    const TouchTuning tuning = test::stiff_proxy(0.1);
+    Vec3 proxy = from_m;
     const int steps = static_cast<int>(glm::length(to_m - from_m) / 2e-3);
     for (int i = 0; i <= steps + 200; ++i) {
         const Vec3 wanted = from_m + (to_m - from_m) * std::min(1.0, static_cast<double>(i) / steps);
-        ball = touch_tick(state, haptic, tuning, wanted, 1e-3).proxy_m;
+        proxy = touch_tick(state, haptic, tuning, wanted, 1e-3).proxy_m;
     }
-    return glm::length(ball - to_m) < 0.02;
+    return glm::length(proxy - to_m) < 0.02;
 }
 
 // Returns whether a walker passes. It tests points of a body of 0.5 by 0.3 m, 1.7 m tall.
-bool body_passes(const Solids& solids, const Vec3& middle_m, const Vec3& way) {
+bool walker_passes(const Solids& solids, const Vec3& middle_m, const Vec3& way) {
     const Vec3 across = glm::cross(Vec3(0, 0, 1), way);
     for (double along = -0.45; along <= 0.45; along += 0.05)
         for (const double side : {-0.24, -0.12, 0.0, 0.12, 0.24})
@@ -169,24 +170,24 @@ TEST(RealBuildings, let_body_and_hand_through_every_open_door_of_the_file) {
         const auto haptic = compile_haptic(open, MaterialSource::KeysOnly);
         const Solids solids(open);
         const std::vector<test::DoorToPass> doors = test::doors_to_pass(*scene);
-        int shut_to_body = 0, shut_to_ball = 0;
+        int shut_to_walker = 0, shut_to_proxy = 0;
         std::string shut;
         for (const auto& [portal, way] : doors) {
-            const bool body = body_passes(solids, portal->place_m, way);
-            bool ball = false;
+            const bool body = walker_passes(solids, portal->place_m, way);
+            bool proxy = false;
             for (const double z : {1.0, 1.3, 1.6}) {
                 const Vec3 middle = portal->place_m + Vec3(0, 0, z);
-                ball = ball || ball_passes(*haptic, middle - way * 0.5, middle + way * 0.5);
+                proxy = proxy || proxy_passes(*haptic, middle - way * 0.5, middle + way * 0.5);
             }
-            shut_to_body += body ? 0 : 1;
-            shut_to_ball += ball ? 0 : 1;
-            if (!body || !ball) shut += " " + portal->name + "/" + std::to_string(portal->source.line);
+            shut_to_walker += body ? 0 : 1;
+            shut_to_proxy += proxy ? 0 : 1;
+            if (!body || !proxy) shut += " " + portal->name + "/" + std::to_string(portal->source.line);
         }
-        std::cout << name << ": " << doors.size() << " doors, shut to a body " << shut_to_body << ", to a ball "
-                  << shut_to_ball << "\n";
+        std::cout << name << ": " << doors.size() << " doors, shut to a body " << shut_to_walker << ", to a ball "
+                  << shut_to_proxy << "\n";
         EXPECT_EQ(doors.size(), known_doors) << name;
-        EXPECT_EQ(shut_to_ball, 0) << name << ":" << shut;
-        EXPECT_EQ(shut_to_body, 0) << name << ":" << shut;
+        EXPECT_EQ(shut_to_proxy, 0) << name << ":" << shut;
+        EXPECT_EQ(shut_to_walker, 0) << name << ":" << shut;
     }
 }
 

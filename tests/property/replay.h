@@ -39,7 +39,7 @@ void replay(const HapticScene& scene, const std::vector<Vec3>& goals_m, const Mo
 
 // The proxy's position in each tick, in the world's own frame, and whether the solver had settled in that tick.
 struct Trace {
-    std::vector<Vec3> balls_m;
+    std::vector<Vec3> proxies_m;
     std::vector<bool> settled;
 };
 
@@ -48,7 +48,7 @@ inline Trace trace(const TouchWorld& world, const std::vector<Vec3>& goals_m, co
     Trace out;
     replay(*world.scene(motion), goals_m, motion, tuning,
            [&](std::size_t, const Vec3&, const TouchResult& r, const ProxySolver&) {
-               out.balls_m.push_back(motion.back(r.proxy_m));
+               out.proxies_m.push_back(motion.back(r.proxy_m));
                out.settled.push_back(r.contacts.converged);
            });
     return out;
@@ -59,11 +59,11 @@ inline Trace trace(const TouchWorld& world, const std::vector<Vec3>& goals_m, co
 inline double largest_difference(const Trace& a, const Trace& b, double most_unsettled = 0.01) {
     double worst = 0.0;
     std::size_t unsettled = 0;
-    for (std::size_t i = 0; i < a.balls_m.size(); ++i) {
+    for (std::size_t i = 0; i < a.proxies_m.size(); ++i) {
         if (!a.settled[i] || !b.settled[i]) ++unsettled;
-        else worst = std::max(worst, glm::length(a.balls_m[i] - b.balls_m[i]));
+        else worst = std::max(worst, glm::length(a.proxies_m[i] - b.proxies_m[i]));
     }
-    return static_cast<double>(unsettled) <= most_unsettled * static_cast<double>(a.balls_m.size())
+    return static_cast<double>(unsettled) <= most_unsettled * static_cast<double>(a.proxies_m.size())
                ? worst
                : std::numeric_limits<double>::infinity();
 }

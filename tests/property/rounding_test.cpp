@@ -147,7 +147,7 @@ Building blocks(std::mt19937& random) {
 
 // Returns whether a ball of this radius inside the building would touch the surface at `p` from inside. It samples
 // points on the ball.
-bool ball_reaches(const Building& building, const Vec3& p, const Vec3& normal, double radius_m) {
+bool sphere_reaches(const Building& building, const Vec3& p, const Vec3& normal, double radius_m) {
     constexpr int kPlaces = 120;
     const Vec3 middle = p - normal * radius_m;
     if (!building.inside(middle, 1e-9)) return false;
@@ -195,7 +195,7 @@ void expect_flush_and_within(const Building& building, std::uint32_t seed, std::
         // it touches both sides farther out. The place must also be a little farther than the radius from all edges.
         // Either solid may round an edge between them, and both may round a corner.
         const bool touchable = distance(*filed, place->at_m + place->normal * kRounding_m) >= kRounding_m - 1e-9;
-        if (touchable && ball_reaches(building, place->at_m, place->normal, 1.45 * kRounding_m)) {
+        if (touchable && sphere_reaches(building, place->at_m, place->normal, 1.45 * kRounding_m)) {
             ASSERT_LE(off, 1e-4) << "seed " << seed << ": a groove at " << place->at_m.x << ' ' << place->at_m.y << ' '
                                  << place->at_m.z;
         }
@@ -231,8 +231,8 @@ TEST(Rounding, of_boxes_joined_in_every_way_opens_no_groove_and_adds_no_material
     std::cout << "    " << rounded << " boxes rounded, " << sharp << " sharp\n";
 }
 
-TEST(Rounding, is_not_felt_if_a_pressed_ball_slides_over_flush_seams) {
-    constexpr double kBall_m = kRounding_m;
+TEST(Rounding, is_not_felt_if_a_pressed_proxy_slides_over_flush_seams) {
+    constexpr double kProxy_m = kRounding_m;
     int slides = 0;
     double worst_n = 0.0;
     for (int i = 0; i < scaled(120); ++i) {
@@ -249,20 +249,20 @@ TEST(Rounding, is_not_felt_if_a_pressed_ball_slides_over_flush_seams) {
             bool level = true;
             for (int k = 0; k <= 30 && level; ++k) {
                 const Vec3 p = from->at_m + (to->at_m - from->at_m) * (k / 30.0);
-                level = ball_reaches(building, p, from->normal, 1.5 * kRounding_m) &&
-                        !building.inside(p + from->normal * (2.0 * kBall_m), 1.5 * kBall_m);
+                level = sphere_reaches(building, p, from->normal, 1.5 * kRounding_m) &&
+                        !building.inside(p + from->normal * (2.0 * kProxy_m), 1.5 * kProxy_m);
             }
             if (!level) continue;
             ++slides;
-            const Vec3 deep = from->normal * (0.5 * kBall_m), high = from->normal * (2.0 * kBall_m);
+            const Vec3 deep = from->normal * (0.5 * kProxy_m), high = from->normal * (2.0 * kProxy_m);
             const std::vector<Vec3> goals =
                 hand_path({from->at_m + high, from->at_m - deep, to->at_m - deep, to->at_m + high}, 0.5);
             std::vector<Vec3> forces;
-            replay(*filed, goals, {}, uncapped_tuning(kBall_m),
+            replay(*filed, goals, {}, uncapped_tuning(kProxy_m),
                    [&](std::size_t, const Vec3&, const TouchResult& r, const ProxySolver&) {
                        forces.push_back(r.force_n);
                    });
-            replay(*felt, goals, {}, uncapped_tuning(kBall_m),
+            replay(*felt, goals, {}, uncapped_tuning(kProxy_m),
                    [&](std::size_t tick, const Vec3&, const TouchResult& r, const ProxySolver&) {
                        worst_n = std::max(worst_n, glm::length(r.force_n - forces[tick]));
                    });

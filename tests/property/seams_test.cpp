@@ -21,7 +21,7 @@ Vec3 direction(std::mt19937& random) {
     }
 }
 
-TEST(Seams, between_boxes_that_overlap_touch_or_have_a_gap_narrower_than_the_ball_stay_shut) {
+TEST(Seams, between_boxes_that_overlap_touch_or_have_a_gap_narrower_than_the_proxy_stay_shut) {
     constexpr std::uint32_t kSeed = 77;
     std::mt19937 random(kSeed);
     for (int round = 0; round < scaled(300); ++round) {

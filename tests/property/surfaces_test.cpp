@@ -183,7 +183,7 @@ void gives_no_energy(double deepest_m) {
 
 TEST(ShadedMesh, gives_no_energy_over_random_closed_loops) { gives_no_energy(0.004); }  // invariant I11
 // Invariant I11.
-TEST(ShadedMesh, gives_no_energy_when_pressed_deeper_than_the_balls_radius) { gives_no_energy(0.012); }
+TEST(ShadedMesh, gives_no_energy_when_pressed_deeper_than_the_proxys_radius) { gives_no_energy(0.012); }
 
 TEST(ShadedMesh, keeps_corners_sharp_and_flat_faces_flat) {
     // A cube of triangles. Every edge is sharper than the crease angle and every face is flat, so shading must not

@@ -46,8 +46,8 @@ public:
             goal_m_ = way * (reach_m_ * uniform(0.2, 1.0));
             speed_ = uniform(0.02, 0.12);
         }
-        const Vec3 wish = glm::normalize(goal_m_ - at_m_) * speed_;
-        velocity_ += (wish - velocity_) * (dt_s / 0.03);
+        const Vec3 wanted = glm::normalize(goal_m_ - at_m_) * speed_;
+        velocity_ += (wanted - velocity_) * (dt_s / 0.03);
         at_m_ += velocity_ * dt_s;
         return at_m_;
     }

@@ -68,10 +68,10 @@ std::string reached_by_prying() {
 
 int main(int argc, char** argv) {
     const handrail::NamedDevices devices{
-        [](const std::string& name, const std::string&, const std::function<void(const std::string&)>& tell)
+        [](const std::string& name, const std::string&, const std::function<void(const std::string&)>& report)
             -> handrail::Result<std::unique_ptr<handrail::HapticDevice>> {
             if (name == "absent") return handrail::fail(handrail::phrase("drivers.no_falcon"));
-            tell(name == "pries" ? reached_by_prying() : "Waking it.");
+            report(name == "pries" ? reached_by_prying() : "Waking it.");
             return std::unique_ptr<handrail::HapticDevice>(std::make_unique<NumbersDevice>(name));
         },
         [](const std::string& name, const std::string&) -> handrail::Result<void> {

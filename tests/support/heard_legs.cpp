@@ -71,23 +71,23 @@ std::optional<HeardLeg> understood(const std::string& text, const LegForm& form)
     if (sentences.size() < 2) return std::nullopt;
     const auto turn = form.turns.find(sentences[0]);
     if (turn == form.turns.end()) return std::nullopt;
-    HeardLeg asked;
-    asked.turn_notches = turn->second;
+    HeardLeg requested;
+    requested.turn_notches = turn->second;
     std::smatch found;
     if (std::regex_match(sentences[1], found, form.until)) {
-        asked.until = HeardLeg::Until::Stopped;
-        asked.steps = std::stoi(found[1]);
+        requested.until = HeardLeg::Until::Stopped;
+        requested.steps = std::stoi(found[1]);
     } else if (std::regex_match(sentences[1], found, form.flight)) {
-        asked.until = HeardLeg::Until::FlightOver;
-        asked.steps = found[1].matched ? std::stoi(found[1]) : 0;
+        requested.until = HeardLeg::Until::FlightOver;
+        requested.steps = found[1].matched ? std::stoi(found[1]) : 0;
     } else if (std::regex_match(sentences[1], found, form.counted)) {
-        asked.steps = std::stoi(found[1]);
+        requested.steps = std::stoi(found[1]);
     } else {
         return std::nullopt;
     }
     for (std::size_t i = 2; i < sentences.size(); ++i)
-        asked.use = asked.use || std::regex_match(sentences[i], form.use);
-    return asked;
+        requested.use = requested.use || std::regex_match(sentences[i], form.use);
+    return requested;
 }
 
 std::optional<Direction> direction_in(const std::string& text) {

@@ -42,28 +42,29 @@ std::string LoginManager::address() const { return "unix:path=" + (folder_ / "bu
 
 bool LoginManager::ready() const {
     return logind_ &&
-           eventually([this] { return ask("print(bus.name_has_owner('org.freedesktop.login1'))") == "True\n"; });
+           eventually([this] { return query("print(bus.name_has_owner('org.freedesktop.login1'))") == "True\n"; });
 }
 
 void LoginManager::announce_sleep(bool begins) const {
-    ask(std::string("logind.EmitSignal('org.freedesktop.login1.Manager', 'PrepareForSleep', 'b', [") +
-        (begins ? "True" : "False") + "], dbus_interface='org.freedesktop.DBus.Mock')");
+    query(std::string("logind.EmitSignal('org.freedesktop.login1.Manager', 'PrepareForSleep', 'b', [") +
+          (begins ? "True" : "False") + "], dbus_interface='org.freedesktop.DBus.Mock')");
 }
 
 std::string LoginManager::inhibitors() const {
-    return ask(
+    return query(
         "for held in logind.ListInhibitors(dbus_interface='org.freedesktop.login1.Manager'):\n"
         "    print(held[0], held[1], held[3])");
 }
 
-std::string LoginManager::ask(const std::string& python) const {
+std::string LoginManager::query(const std::string& python) const {
     const std::string whole = "import dbus, dbus.bus\nbus = dbus.bus.BusConnection('" + address() +
                               "')\nlogind = bus.get_object('org.freedesktop.login1', '/org/freedesktop/login1', "
                               "introspect=False) if bus.name_has_owner('org.freedesktop.login1') else None\n" +
                               python;
     const std::filesystem::path out = folder_ / "answer";
     std::filesystem::remove(out);  // removed first, because a child's output is appended
-    if (const auto asking = ChildProcess::start({kPython, "-c", whole}, kPlain, out)) asking->exit_status();
+    if (const auto query_process = ChildProcess::start({kPython, "-c", whole}, kPlain, out))
+        query_process->exit_status();
     std::ifstream answer(out);
     return {std::istreambuf_iterator<char>(answer), {}};
 }

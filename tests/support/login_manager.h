@@ -26,7 +26,7 @@ public:
     std::string inhibitors() const;
 
 private:
-    std::string ask(const std::string& python) const;
+    std::string query(const std::string& python) const;
 
     std::filesystem::path folder_;
     std::unique_ptr<ChildProcess> bus_, logind_;

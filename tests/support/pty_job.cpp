@@ -29,7 +29,9 @@ struct Report {
     int value = 0;
 };
 
-void tell(int reports, Report report) { [[maybe_unused]] const ssize_t put = ::write(reports, &report, sizeof report); }
+void write_report(int reports, Report report) {
+    [[maybe_unused]] const ssize_t put = ::write(reports, &report, sizeof report);
+}
 
 pid_t lead_job = -1;
 int lead_terminal = -1;
@@ -65,7 +67,7 @@ int lead_terminal = -1;
         ::kill(-lead_job, SIGCONT);
     };
     ::sigaction(SIGUSR1, &foreground, nullptr);
-    tell(reports, {Report::Started, lead_job});
+    write_report(reports, {Report::Started, lead_job});
     while (true) {
         int status = 0;
         if (::waitpid(lead_job, &status, WUNTRACED) < 0) {
@@ -74,9 +76,9 @@ int lead_terminal = -1;
         }
         ::tcsetpgrp(slave, leader);
         if (WIFSTOPPED(status)) {
-            tell(reports, {Report::Stopped, WSTOPSIG(status)});
+            write_report(reports, {Report::Stopped, WSTOPSIG(status)});
         } else {
-            tell(reports, {Report::Ended, WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status)});
+            write_report(reports, {Report::Ended, WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status)});
             break;
         }
     }

@@ -23,12 +23,12 @@ double judging_work(const BruteForce::Thing& thing) {
 // Examines all things, but only once per centimetre of movement. Keeps those that the proxy can meet before the next
 // time.
 void ReferenceProxy::look_around() {
-    if (looked_ && glm::length(ball_ - looked_from_) <= kLook_m) return;
+    if (looked_ && glm::length(proxy_ - looked_from_) <= kLook_m) return;
     looked_ = true;
-    looked_from_ = ball_;
+    looked_from_ = proxy_;
     near_.clear();
     for (const BruteForce::Thing& thing : judge_.things())
-        if (glm::length(ball_ - thing.centre) - thing.reach - radius_ <= 2.0L * kLook_m) near_.push_back(&thing);
+        if (glm::length(proxy_ - thing.centre) - thing.reach - radius_ <= 2.0L * kLook_m) near_.push_back(&thing);
     work_ += static_cast<double>(judge_.things().size());
 }
 
@@ -37,7 +37,7 @@ Vec3 ReferenceProxy::follow(const Vec3& goal_m) {
     std::vector<LHalfSpace> walls;
     for (int i = 0; i < kMostSteps; ++i) {
         ++steps_;
-        const long double left = glm::length(goal - ball_);
+        const long double left = glm::length(goal - proxy_);
         if (left == 0.0L) break;
         // Collects the obstacles that the proxy can meet within a step. If there are none, the step may be as long as
         // the distance to the nearest obstacle.
@@ -46,17 +46,17 @@ Vec3 ReferenceProxy::follow(const Vec3& goal_m) {
         long double clear = std::min(left, kLook_m);
         for (const BruteForce::Thing* near : near_) {
             const BruteForce::Thing& thing = *near;
-            const long double far = glm::length(ball_ - thing.centre) - thing.reach - radius_;
+            const long double far = glm::length(proxy_ - thing.centre) - thing.reach - radius_;
             if (far > kStep_m) {
                 clear = std::min(clear, far);
                 continue;
             }
-            const Nearest n = judge_.nearest(thing, ball_);
+            const Nearest n = judge_.nearest(thing, proxy_);
             work_ += judging_work(thing);
             const long double gap = n.distance - radius_;
             clear = std::min(clear, gap);
             if (gap > kStep_m || n.distance <= 0.0L) continue;
-            const LVec normal = (ball_ - n.point) / n.distance;
+            const LVec normal = (proxy_ - n.point) / n.distance;
             const LHalfSpace wall{normal, -gap};  // the half-space is relative to the proxy
             const auto known = std::find_if(walls.begin(), walls.end(), [&](const LHalfSpace& w) {
                 return glm::dot(w.normal, wall.normal) > 1.0L - 1e-17L;
@@ -67,16 +67,16 @@ Vec3 ReferenceProxy::follow(const Vec3& goal_m) {
         const double count = static_cast<double>(walls.size());
         work_ += count * count * count * count / 24.0 + static_cast<double>(near_.size());
         if (walls.empty()) {
-            ball_ += (goal - ball_) * (clear < left ? clear / left : 1.0L);
+            proxy_ += (goal - proxy_) * (clear < left ? clear / left : 1.0L);
             continue;
         }
-        const std::optional<LVec> way = project_by_enumeration(walls, goal - ball_, 1e-15L);
+        const std::optional<LVec> way = project_by_enumeration(walls, goal - proxy_, 1e-15L);
         if (!way) break;
         const long double length = glm::length(*way);
         if (length < kAtRest_m) break;
-        ball_ += *way * std::min(1.0L, kStep_m / length);
+        proxy_ += *way * std::min(1.0L, kStep_m / length);
     }
-    return Vec3(ball_);
+    return Vec3(proxy_);
 }
 
 }  // namespace handrail::test

@@ -16,12 +16,12 @@ class ReferenceProxy {
 public:
     // The judge must outlive the proxy. The proxy starts free, no nearer to any obstacle than its radius.
     ReferenceProxy(const BruteForce& judge, const Vec3& start_m, double radius_m)
-        : judge_(judge), ball_(start_m), radius_(radius_m) {}
+        : judge_(judge), proxy_(start_m), radius_(radius_m) {}
 
     // Moves the proxy until it rests for this goal, and returns its position.
     Vec3 follow(const Vec3& goal_m);
     // Places the proxy elsewhere, in order to compare a single tick.
-    void place(const Vec3& ball_m) { ball_ = LVec(ball_m); }
+    void place(const Vec3& proxy_m) { proxy_ = LVec(proxy_m); }
     long steps() const { return steps_; }
     // Returns the approximate number of comparisons in all steps. A solid is judged by trying every three of its
     // planes.
@@ -31,7 +31,7 @@ private:
     void look_around();
 
     const BruteForce& judge_;
-    LVec ball_;
+    LVec proxy_;
     long double radius_;
     long steps_ = 0;
     double work_ = 0.0;

@@ -91,7 +91,7 @@ TriangleMesh pole_mesh(int sectors, int rings, double ring_m, double sphere_radi
     return mesh;
 }
 
-std::vector<Vec3> pole_slide(double sphere_radius_m, double ball_radius_m, double speed_m_per_s, int ticks) {
+std::vector<Vec3> pole_slide(double sphere_radius_m, double proxy_radius_m, double speed_m_per_s, int ticks) {
     constexpr double kFar_m = 0.02, kAside_m = 1e-3, kDeep_m = 3e-3, kDown_m_per_tick = 2e-4;
     std::vector<Vec3> goals;
     double height = 0.02, phase = 0.0;
@@ -106,12 +106,12 @@ std::vector<Vec3> pole_slide(double sphere_radius_m, double ball_radius_m, doubl
         const Vec3 place(along * std::cos(turn) - aside * std::sin(turn),
                          along * std::sin(turn) + aside * std::cos(turn), 0.0);
         goals.push_back(glm::normalize(place + Vec3(0.0, 0.0, sphere_radius_m)) *
-                        (sphere_radius_m + ball_radius_m + height));
+                        (sphere_radius_m + proxy_radius_m + height));
     }
     return goals;
 }
 
-std::vector<Vec3> sphere_slide(double sphere_radius_m, double ball_radius_m, double speed_m_per_s, int ticks) {
+std::vector<Vec3> sphere_slide(double sphere_radius_m, double proxy_radius_m, double speed_m_per_s, int ticks) {
     constexpr double kDown_m_per_tick = 2e-4, kShallow_m = 2e-3, kDeep_m = 5e-3;
     std::vector<Vec3> goals;
     Vec3 out = glm::normalize(Vec3(0.3, -0.2, 0.93)), along = glm::normalize(glm::cross(Vec3(0.2, 1.0, 0.1), out));
@@ -130,7 +130,7 @@ std::vector<Vec3> sphere_slide(double sphere_radius_m, double ball_radius_m, dou
             along += glm::cross(out, along) * (speed_m_per_s * 1e-3 / 3.0);
             along = glm::normalize(along - out * glm::dot(out, along));
         }
-        goals.push_back(out * (sphere_radius_m + ball_radius_m + height));
+        goals.push_back(out * (sphere_radius_m + proxy_radius_m + height));
     }
     return goals;
 }

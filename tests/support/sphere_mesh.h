@@ -22,11 +22,11 @@ TriangleMesh pole_mesh(int sectors, int rings, double ring_m, double sphere_radi
 // Returns goals at 1 kHz. The hand goes down near the pole and then slides to and fro over it at the given speed, 3 mm
 // deep and up to 20 mm to either side. It passes the pole at distances of up to 1 mm, and its direction turns around
 // the pole.
-std::vector<Vec3> pole_slide(double sphere_radius_m, double ball_radius_m, double speed_m_per_s, int ticks);
+std::vector<Vec3> pole_slide(double sphere_radius_m, double proxy_radius_m, double speed_m_per_s, int ticks);
 
 // Returns goals at 1 kHz. The hand goes down to the sphere once, from 20 mm above it. Then it follows an oblique,
 // slowly turning path at the given speed, pressed 2 to 5 mm deep (one wave of depth per 0.7 s). It never repeats a row
 // of triangles.
-std::vector<Vec3> sphere_slide(double sphere_radius_m, double ball_radius_m, double speed_m_per_s, int ticks);
+std::vector<Vec3> sphere_slide(double sphere_radius_m, double proxy_radius_m, double speed_m_per_s, int ticks);
 
 }  // namespace handrail::test

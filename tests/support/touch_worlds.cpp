@@ -266,10 +266,10 @@ TouchWorld TouchWorld::with_triangles_split(std::mt19937& random) const {
     return out;
 }
 
-std::vector<Vec3> hand_path(const std::vector<Vec3>& way_points_m, double speed_m_per_s) {
-    std::vector<Vec3> goals{way_points_m.front()};
-    for (std::size_t i = 1; i < way_points_m.size(); ++i) {
-        const Vec3 from = way_points_m[i - 1], to = way_points_m[i];
+std::vector<Vec3> hand_path(const std::vector<Vec3>& path_points_m, double speed_m_per_s) {
+    std::vector<Vec3> goals{path_points_m.front()};
+    for (std::size_t i = 1; i < path_points_m.size(); ++i) {
+        const Vec3 from = path_points_m[i - 1], to = path_points_m[i];
         const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(to - from) / (speed_m_per_s * 1e-3))));
         for (int k = 1; k <= steps; ++k) goals.push_back(from + (to - from) * (static_cast<double>(k) / steps));
     }

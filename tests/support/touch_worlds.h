@@ -70,7 +70,7 @@ private:
 };
 
 // Returns goals at 1 kHz along the way-points.
-std::vector<Vec3> hand_path(const std::vector<Vec3>& way_points_m, double speed_m_per_s);
+std::vector<Vec3> hand_path(const std::vector<Vec3>& path_points_m, double speed_m_per_s);
 
 struct TouchCase {
     std::string name;

@@ -24,42 +24,42 @@ class WordWalker {
 public:
     // How a walk ended:
     // - Arrived: the session announced the arrival.
-    // - NoWay: the session announced that there is no route.
+    // - NoRoute: the session announced that there is no route.
     // - Loop: the walk did not end.
     // - Stuck: the directions no longer moved the walker.
     // - NotUnderstood: the walker did not understand the directions.
-    enum class End { Arrived, NoWay, Loop, Stuck, NotUnderstood };
+    enum class End { Arrived, NoRoute, Loop, Stuck, NotUnderstood };
 
     explicit WordWalker(std::shared_ptr<const Scene> world) : form_(english_legs()), app_({}, {}, {}) {
         app_.apply(WorldEntered{make_ready(std::move(world))}, now_s_);
         run(0.1);
-        ask(Command::Exits);  // after this query, the session knows the rooms of the world
+        request(Command::Exits);  // after this query, the session knows the rooms of the world
         run(1.0);
     }
 
     End go(const std::string& room) {
         said_.clear();
-        told_there_m_.reset();
+        announced_there_m_.reset();
         there_ = room + ". You are there.";
         climbs_ = 0;
-        ask(Command::Routes);
+        request(Command::Routes);
         app_.apply(LineTyped{room}, now_s_);
         run(0.05);
-        if (heard("No walking route", 0)) return give_up(End::NoWay);
-        std::string leg = ask(Command::RepeatLeg);
+        if (heard("No walking route", 0)) return give_up(End::NoRoute);
+        std::string leg = request(Command::RepeatLeg);
         for (int legs = 0, idle = 0; legs < kMostLegs && climbs_ < kMostClimbs; ++legs) {
             if (arrived()) return End::Arrived;
             const int before = moves();
             if (!obey(leg)) {
                 // If the walker could not obey the leg, it requests the leg once more, after a second.
                 run(1.0);
-                if (!arrived() && !obey(ask(Command::RepeatLeg)))
-                    return give_up(heard("No walking route", 0) ? End::NoWay : End::NotUnderstood);
+                if (!arrived() && !obey(request(Command::RepeatLeg)))
+                    return give_up(heard("No walking route", 0) ? End::NoRoute : End::NotUnderstood);
             }
             if (arrived()) return End::Arrived;
             idle = moves() == before ? idle + 1 : 0;
             if (idle >= kMostIdle) return give_up(End::Stuck);
-            leg = ask(idle > 0 ? Command::RepeatLeg : Command::NextLeg);
+            leg = request(idle > 0 ? Command::RepeatLeg : Command::NextLeg);
         }
         return arrived() ? End::Arrived : give_up(End::Loop);
     }
@@ -72,12 +72,12 @@ public:
         return all;
     }
     // Returns where the walker stood when the arrival was announced. Without an arrival, returns its present position.
-    Vec3 feet_m() const { return told_there_m_.value_or(app_.feet_m()); }
+    Vec3 feet_m() const { return announced_there_m_.value_or(app_.feet_m()); }
     // Returns the number of flights of stairs and lifts that the walker used on its last walk.
     int climbs() const { return climbs_; }
     void put(const Vec3& feet_m) {
         app_.apply(Placed{feet_m, 0.0}, now_s_);
-        told_there_m_.reset();
+        announced_there_m_.reset();
         run(0.2);
     }
 
@@ -92,7 +92,7 @@ private:
             const bool spoken = cue.kind == CueRequestKind::Say || cue.kind == CueRequestKind::Demonstrate ||
                                 cue.kind == CueRequestKind::Bump;
             if (!spoken || cue.text.empty()) continue;
-            if (cue.text == there_) told_there_m_ = app_.feet_m();
+            if (cue.text == there_) announced_there_m_ = app_.feet_m();
             said_.push_back(std::move(cue.text));
         }
     }
@@ -101,7 +101,7 @@ private:
             if (said_[i].find(part) != std::string::npos) return true;
         return false;
     }
-    bool arrived() const { return told_there_m_.has_value(); }
+    bool arrived() const { return announced_there_m_.has_value(); }
     // Returns the number of footsteps heard, plus the number of stairs, lifts and doors used.
     int moves() const { return footsteps_ + climbs_ + used_; }
 
@@ -118,7 +118,7 @@ private:
         for (int i = 0; i < 6000 && !app_.idle() && !arrived(); ++i) tick();
         run(0.15);
     }
-    std::string ask(Command command) {
+    std::string request(Command command) {
         const std::size_t before = said_.size();
         app_.apply(CommandDown{command}, now_s_);
         app_.apply(CommandUp{command}, now_s_);
@@ -139,19 +139,19 @@ private:
     }
     void use() {
         const std::size_t said = said_.size();
-        ask(Command::Use);
+        request(Command::Use);
         run(kDoorOpens_s);
         if (heard(" opens", said) || heard(" is shut", said)) ++used_;
     }
     void ride() {
         const std::size_t said = said_.size();
-        ask(Command::Use);
+        request(Command::Use);
         for (double s = 0.0; s < kRide_s && !heard(" stops", said); s += 0.5) run(0.5);
         run(kDoorOpens_s);
         ++climbs_;
     }
     End give_up(End end) {
-        ask(Command::TakeMe);  // this command also stops following the route
+        request(Command::TakeMe);  // this command also stops following the route
         return end;
     }
 
@@ -159,7 +159,7 @@ private:
     bool obey(const std::string& text) {
         if (text.find("You are standing at them. ") != std::string::npos) {
             ++climbs_;
-            ask(Command::Use);
+            request(Command::Use);
             run(1.0);
         } else if (text.find("You are standing in it. ") != std::string::npos) {
             ride();
@@ -229,7 +229,7 @@ private:
     double now_s_ = 0.0;
     std::vector<std::string> said_;
     std::string there_;
-    std::optional<Vec3> told_there_m_;
+    std::optional<Vec3> announced_there_m_;
     int footsteps_ = 0, climbs_ = 0, used_ = 0;
 };
 

@@ -14,16 +14,16 @@ struct ThroughWorld {
 };
 
 inline ThroughWorld through_world(const DeviceSpec& spec, const Vec3& seen_m, int axis) {
-    constexpr double kScale = 60.0, kBall = 0.1, kPress = 0.002;
+    constexpr double kScale = 60.0, kProxy = 0.1, kPress = 0.002;
     ThroughWorld out;
     ServoRig rig(spec);
     rig.tuning.touch.world_m_per_hand_m = kScale;
-    rig.tuning.touch.radius_m = kBall;
+    rig.tuning.touch.radius_m = kProxy;
     rig.pose.origin_m = Vec3(7.0, -3.0, 1.0);
     // A solid fills the world up to the position at which 2 mm of hand movement presses the proxy into it. The hand
     // comes from the free side.
     Aabb solid{Vec3(-500.0), Vec3(500.0)};
-    solid.max_m[axis] = rig.pose.origin_m[axis] + kScale * (seen_m[axis] + kPress) - kBall;
+    solid.max_m[axis] = rig.pose.origin_m[axis] + kScale * (seen_m[axis] + kPress) - kProxy;
     HapticSceneBuilder builder;
     builder.add_box(solid);
     rig.scene = builder.build();

@@ -18,7 +18,7 @@ Vec3 in_box(std::mt19937& random, double half_m) {
 
 // Makes a hundred thousand triangles of about 20 mm in a cube of 0.7 m. The hand starts in the middle and changes its
 // direction twenty times a second, so that it drags the proxy around.
-WorstCase soup(double ball_m, int ticks) {
+WorstCase soup(double proxy_radius_m, int ticks) {
     WorstCase out;
     std::mt19937 random(1);
     HapticSceneBuilder builder;
@@ -28,7 +28,7 @@ WorstCase soup(double ball_m, int ticks) {
         builder.add_triangle(at + a, at + b, at + c);
     }
     out.scene = builder.build();
-    out.tuning.radius_m = ball_m;
+    out.tuning.radius_m = proxy_radius_m;
     Vec3 at(0.0), way(5e-3, 0.0, 0.0);
     for (int i = 0; i < ticks; ++i) {
         if (i % 50 == 0) way = glm::normalize(in_box(random, 1.0) - at * 2.0) * 5e-3;
@@ -115,12 +115,12 @@ WorstCase boxes(int bodies, int ticks) {
     return out;
 }
 
-WorstCase sphere(double ball_m, double speed_m_per_s, int ticks) {
+WorstCase sphere(double proxy_radius_m, double speed_m_per_s, int ticks) {
     WorstCase out;
     HapticSceneBuilder builder;
     builder.add_mesh(sphere_mesh(224, 0.5));
     out.scene = builder.build();
-    out.goals_m = sphere_slide(0.5, ball_m, speed_m_per_s, ticks + 100);
+    out.goals_m = sphere_slide(0.5, proxy_radius_m, speed_m_per_s, ticks + 100);
     out.goals_m.erase(out.goals_m.begin(), out.goals_m.begin() + 100);
     return out;
 }

@@ -78,7 +78,7 @@ void add(std::vector<std::uint64_t>& bits, const Vec3& v) {
 // Returns every number of a ToolState as its bits.
 std::vector<std::uint64_t> bits_of(const ToolState& tool) {
     std::vector<std::uint64_t> bits;
-    for (const double value : {tool.time_s, tool.ball_radius_m, tool.force_gain, tool.contact_s, tool.rate_hz})
+    for (const double value : {tool.time_s, tool.proxy_radius_m, tool.force_gain, tool.contact_s, tool.rate_hz})
         add(bits, value);
     for (const Vec3& v : {tool.hip_m, tool.proxy_m, tool.hand_m, tool.force_n}) add(bits, v);
     for (int i = 0; i < tool.contacts.count; ++i) {
@@ -168,7 +168,7 @@ TEST(ServoLoop, gives_bit_identical_tool_states_with_one_or_two_threads) {
                 clock.let_it_run(1);
             }
         }
-        loop.ask_to_stop();
+        loop.request_stop();
         clock.let_it_run(1000);
         loop.stop();
     }
@@ -283,7 +283,7 @@ TEST(ServoLoop, stopping_removes_the_force_within_75_ms_and_then_closes) {
     ASSERT_TRUE(loop.open());
     press(loop, notes, clock);
     const std::size_t before = notes.forces_n.size();
-    loop.ask_to_stop();
+    loop.request_stop();
     while (loop.step()) clock.advance_s(kTick);
     EXPECT_LE(notes.forces_n.size() - before, 76u);
     for (std::size_t i = before; i < notes.forces_n.size(); ++i) EXPECT_LE(notes.forces_n[i], notes.forces_n[i - 1]);
@@ -399,7 +399,7 @@ TEST(ServoLoop, counts_events_that_were_not_fetched_in_time) {
         loop.step();
         clock.advance_s(kTick);
     }
-    loop.ask_to_stop();
+    loop.request_stop();
     while (loop.step()) clock.advance_s(kTick);
     loop.stop();
     const std::size_t waiting = loop.events().read_available();

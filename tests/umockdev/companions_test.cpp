@@ -55,7 +55,7 @@ protected:
             const std::lock_guard guard(node.lock);
             pad.sticks = sticks;
             pad.keys = keys;
-            pad.tell();
+            pad.send();
         }
         node.ring();
     }
@@ -158,15 +158,15 @@ TEST_F(Companions, a_space_mouse_walks_and_turns_and_counts_as_at_rest_when_it_f
     {
         const std::lock_guard guard(node.lock);
         EXPECT_TRUE(puck.light);
-        puck.tell(1, {0, -20, 0});  // this deflection is within the dead band
+        puck.send(1, {0, -20, 0});  // this deflection is within the dead band
     }
     node.ring();
     const Vec3 at = app_.feet_m();
     EXPECT_FALSE(run_until([&] { return app_.feet_m() != at; }, 0.1));
     {
         const std::lock_guard guard(node.lock);
-        puck.tell(1, {0, -350, 0});
-        puck.tell(2, {0, 0, 350});
+        puck.send(1, {0, -350, 0});
+        puck.send(2, {0, 0, 350});
     }
     node.ring();
     ASSERT_TRUE(run_until([&] { return app_.feet_m().y > 2.04 && app_.heading_rad() > 0.05; }, 1.0));

@@ -60,14 +60,14 @@ TEST_F(OverEvdev, a_stick_maps_right_and_forward_to_east_and_north_and_pushes_ri
         const std::lock_guard guard(stick.lock);
         EXPECT_EQ(stick.gain, 0xffff);
     }
-    stick.tell(EV_ABS, ABS_X, 512);
-    stick.tell(EV_KEY, BTN_TRIGGER, 1);
+    stick.send(EV_ABS, ABS_X, 512);
+    stick.send(EV_KEY, BTN_TRIGGER, 1);
     DeviceSample sample = device.read(0.0);
     EXPECT_EQ(sample.position_m, Vec3(device.spec().workspace_radius_m, 0.0, 0.0));
     EXPECT_EQ(sample.buttons, 1U);
-    stick.tell(EV_ABS, ABS_X, 0);
-    stick.tell(EV_ABS, ABS_Y, -512);  // the person pushes the stick away
-    stick.tell(EV_KEY, BTN_TRIGGER, 0);
+    stick.send(EV_ABS, ABS_X, 0);
+    stick.send(EV_ABS, ABS_Y, -512);  // the person pushes the stick away
+    stick.send(EV_KEY, BTN_TRIGGER, 0);
     sample = device.read(0.0);
     EXPECT_EQ(sample.position_m, Vec3(0.0, device.spec().workspace_radius_m, 0.0));
     EXPECT_EQ(sample.buttons, 0U);
@@ -75,9 +75,9 @@ TEST_F(OverEvdev, a_stick_maps_right_and_forward_to_east_and_north_and_pushes_ri
     // to the right or away. The hand is then 2 mm inside a surface, which must push it east or north.
     for (const auto& [axis, code, value, direction] :
          {std::tuple{0, ABS_X, 256, 0xC000}, std::tuple{1, ABS_Y, -256, 0x8000}}) {
-        stick.tell(EV_ABS, ABS_X, 0);
-        stick.tell(EV_ABS, ABS_Y, 0);
-        stick.tell(EV_ABS, static_cast<std::uint16_t>(code), value);
+        stick.send(EV_ABS, ABS_X, 0);
+        stick.send(EV_ABS, ABS_Y, 0);
+        stick.send(EV_ABS, static_cast<std::uint16_t>(code), value);
         const DeviceSample seen = device.read(0.0);
         const test::ThroughWorld through = test::through_world(device.spec(), seen.position_m, axis);
         test::expect_east_north_up(through, axis, 0.5 * device.spec().workspace_radius_m, 1e-9);

@@ -559,11 +559,11 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
     bool felt = false;
     // On a busy machine, the force may be off. In that case, the test switches the force on again with the force
     // command, as a user would.
-    std::size_t told = 0;
+    std::size_t reported = 0;
     for (const auto end = Clock_::now() + 300s; !felt && Clock_::now() < end;) {
         const std::string said = program.said();
-        if (const std::size_t off = said.find("type forces to try again", told); off != std::string::npos) {
-            told = off + 1;
+        if (const std::size_t off = said.find("type forces to try again", reported); off != std::string::npos) {
+            reported = off + 1;
             program.type("forces\n");
         }
         for (const double y_m : {0.006, 0.0, -0.01, -0.02}) {
@@ -757,9 +757,9 @@ TEST_F(GuardProcess, devices_command_names_the_udev_rule_if_access_is_denied) {
                                                    testing::HasSubstr("simulated hand follows"),
                                                    testing::HasSubstr("First room, 6 by 4 metres.")));
     call.arguments = {"--no-window", "--device", "falcon"};
-    const test::ProgramRun asked_for = test::run_program(call);
-    EXPECT_EQ(asked_for.exit_status, 1);
-    EXPECT_THAT(asked_for.err, testing::HasSubstr("nvent_firmware.bin"));
+    const test::ProgramRun with_request = test::run_program(call);
+    EXPECT_EQ(with_request.exit_status, 1);
+    EXPECT_THAT(with_request.err, testing::HasSubstr("nvent_firmware.bin"));
 }
 
 }  // namespace guard_test

@@ -64,7 +64,7 @@ TEST_F(OverHidapi, a_bluetooth_report_with_a_wrong_checksum_is_rejected) {
     ASSERT_TRUE(pad.open());
     {
         const std::lock_guard guard(bluetooth_node_.lock);
-        bluetooth_pad_.tell_wrong_checksum();
+        bluetooth_pad_.send_wrong_checksum();
     }
     bluetooth_node_.ring();
     EXPECT_FALSE(pad.read(0.2));

@@ -30,7 +30,7 @@ MockStick::~MockStick() {
     g_object_unref(handler_);
 }
 
-void MockStick::tell(std::uint16_t type, std::uint16_t code, int value) {
+void MockStick::send(std::uint16_t type, std::uint16_t code, int value) {
     const std::lock_guard guard(lock);
     input_event event{};
     event.type = type;

@@ -21,7 +21,7 @@ public:
     MockStick(const MockStick&) = delete;
     MockStick& operator=(const MockStick&) = delete;
 
-    void tell(std::uint16_t type, std::uint16_t code, int value);
+    void send(std::uint16_t type, std::uint16_t code, int value);
 
     std::mutex lock;
     std::deque<input_event> events;

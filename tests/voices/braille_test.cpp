@@ -88,8 +88,8 @@ TEST_F(Brailled, session_pans_with_the_display_keys_and_says_more_on_a_routing_k
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;
     // Repeat the query until the session knows the room, because a background task finds the rooms.
-    const auto told = [&] { return program->said().find("say: Room with") != std::string::npos; };
-    ASSERT_TRUE(eventually([&] { return press("F2") && eventually(told, 2.0); })) << everything();
+    const auto reported = [&] { return program->said().find("say: Room with") != std::string::npos; };
+    ASSERT_TRUE(eventually([&] { return press("F2") && eventually(reported, 2.0); })) << everything();
     ASSERT_TRUE(braille->shows("N  Room with")) << everything();
     // Each displayed piece must consist of words of the message, after the heading. The keys move the display forwards,
     // back, forwards, and to the beginning of the message.

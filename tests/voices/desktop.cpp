@@ -110,10 +110,10 @@ for a in pyatspi.Registry.getDesktop(0):
     if a and a.name == 'Handrail':
         dump(a, 0)
 )";
-    return ask_objects(kDump);
+    return query_objects(kDump);
 }
 
-std::string Desktop::ask_objects(const std::string& python) const {
+std::string Desktop::query_objects(const std::string& python) const {
     const fs::path out = folder_ / "objects";
     fs::remove(out);
     Environment environment = session();

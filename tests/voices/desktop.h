@@ -42,7 +42,7 @@ public:
     std::string objects() const;
     // Runs a Python program with pyatspi, which walks the program's objects as any screen reader does. Returns what it
     // prints.
-    std::string ask_objects(const std::string& python) const;
+    std::string query_objects(const std::string& python) const;
     std::string everything() const;  // text for messages of failing tests
 
     std::unique_ptr<VirtualDisplay> display;

@@ -96,7 +96,7 @@ def find(a):
 for a in pyatspi.Registry.getDesktop(0):
     if a and a.name == 'Handrail': desk = find(a)
 )";
-        const std::string report = desktop->ask_objects(find + python);
+        const std::string report = desktop->query_objects(find + python);
         std::vector<std::vector<std::string>> rows;
         std::istringstream lines(report);
         for (std::string line; std::getline(lines, line);) {
@@ -155,11 +155,11 @@ TEST_F(ReadByOrca, gives_orca_each_key_first_except_the_stop_key) {
     // answer, the key goes to the program (KeyGate). So try several times.
     const auto ours = [&] { return times_in(program->said(), "There is no touch device"); };
     bool used_by_orca = false;
-    for (std::size_t asked = 1; asked <= 20 && !used_by_orca; ++asked) {
+    for (std::size_t requested = 1; requested <= 20 && !used_by_orca; ++requested) {
         const std::size_t before = ours();
         ASSERT_TRUE(desktop->display->xdotool("keydown Insert key f keyup Insert"));
         ASSERT_TRUE(desktop->press("c"));
-        ASSERT_TRUE(eventually([&] { return times_in(program->said(), "say: Facing north") == asked; }))
+        ASSERT_TRUE(eventually([&] { return times_in(program->said(), "say: Facing north") == requested; }))
             << everything();
         used_by_orca = ours() == before;
     }
@@ -359,7 +359,7 @@ TEST_F(ReadByOrca, speaks_a_question_and_the_typed_answer) {
     ASSERT_TRUE(desktop->press("q z"));
     ASSERT_TRUE(desktop->press("Up"));
     EXPECT_TRUE(speaks_of("Type its path. qz")) << everything();
-    EXPECT_THAT(desktop->ask_objects(R"(
+    EXPECT_THAT(desktop->query_objects(R"(
 import pyatspi
 def show(a):
     if a.getRoleName() == 'entry': print(a.queryText().getText(0, -1))

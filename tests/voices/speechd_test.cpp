@@ -61,7 +61,7 @@ TEST_F(SpeechdVoice, speaks_every_word_and_knows_when_it_has_ended) {
 TEST_F(SpeechdVoice, is_interrupted_by_a_new_utterance_and_by_silence) {
     ASSERT_NO_FATAL_FAILURE(start(10000));  // each word is so long that no utterance ends during the test
     if (!server) return;
-    const double asked_s = now_s();
+    const double requested_s = now_s();
     voice->say({.text = "one two three", .speech_class = SpeechClass::Alarm});
     ASSERT_TRUE(eventually([&] { return server->spoke("one two three"); })) << server->everything();
     voice->say({.text = "North wall"});
@@ -74,16 +74,16 @@ TEST_F(SpeechdVoice, is_interrupted_by_a_new_utterance_and_by_silence) {
     const auto all = server->recorded();
     EXPECT_EQ(all[1].event, "stop");
     EXPECT_EQ(all[3].event, "stop");
-    RecordProperty("say_to_voice_ms", static_cast<int>(1000.0 * (all[0].time_s - asked_s)));
+    RecordProperty("say_to_voice_ms", static_cast<int>(1000.0 * (all[0].time_s - requested_s)));
     std::printf("speech-dispatcher: say() to the voice's first word %.1f ms, stop() to its silence %.1f ms\n",
-                1000.0 * (all[0].time_s - asked_s), 1000.0 * (all[3].time_s - silenced_s));
+                1000.0 * (all[0].time_s - requested_s), 1000.0 * (all[3].time_s - silenced_s));
 }
 
 TEST_F(SpeechdVoice, notices_a_killed_server_at_once_and_uses_its_successor) {
     ASSERT_NO_FATAL_FAILURE(start(5));
     if (!server) return;
     server->kill();
-    ASSERT_TRUE(becomes(VoiceState::Gone));
+    ASSERT_TRUE(becomes(VoiceState::Unavailable));
     voice->say({.text = "lost"});
     EXPECT_FALSE(voice->speaking()) << "nobody is waited for who cannot speak";
     ASSERT_TRUE(server->start_again());
@@ -97,11 +97,11 @@ TEST_F(SpeechdVoice, gives_up_a_server_that_no_longer_answers_after_the_watchdog
     ASSERT_NO_FATAL_FAILURE(start(5));
     if (!server) return;
     server->freeze();
-    const double asked_s = now_s();
+    const double requested_s = now_s();
     voice->say({.text = "is anybody there"});
-    std::printf("say() to a frozen server returned after %.3f ms\n", 1000.0 * (now_s() - asked_s));
+    std::printf("say() to a frozen server returned after %.3f ms\n", 1000.0 * (now_s() - requested_s));
     EXPECT_TRUE(voice->speaking());
-    ASSERT_TRUE(becomes(VoiceState::Gone));
+    ASSERT_TRUE(becomes(VoiceState::Unavailable));
     EXPECT_FALSE(voice->speaking());
     voice.reset();  // the destructor must return although the server never answers
 }

@@ -183,7 +183,7 @@ TEST_F(RendererTest, things_under_water_shine_through) {
     EXPECT_GT(brightness(draw(view), view, in_water), water + 15.0);
 }
 
-TEST_F(RendererTest, ball_is_green_when_free_and_red_inside_a_white_ring_when_touching) {
+TEST_F(RendererTest, proxy_is_green_when_free_and_red_inside_a_white_ring_when_touching) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
     view.show_hand = true;
     view.proxy_m = {3.6, 2.0, 1.4};
@@ -204,7 +204,7 @@ TEST_F(RendererTest, ball_is_green_when_free_and_red_inside_a_white_ring_when_to
         << "the ring tells the contact to those who see no red";
 }
 
-TEST_F(RendererTest, ball_is_hollow_while_forces_are_off_and_gone_without_a_hand) {
+TEST_F(RendererTest, proxy_is_hollow_while_forces_are_off_and_absent_without_a_hand) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
     view.show_hand = true;
     view.proxy_m = {3.6, 2.0, 1.4};
@@ -218,7 +218,7 @@ TEST_F(RendererTest, ball_is_hollow_while_forces_are_off_and_gone_without_a_hand
     EXPECT_EQ(count(draw(view), green).count, 0);
 }
 
-TEST_F(RendererTest, a_wall_between_eye_and_ball_hides_it) {
+TEST_F(RendererTest, a_wall_between_eye_and_proxy_hides_it) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
     view.show_hand = true;
     view.proxy_m = {3.6, 5.0, 1.6};

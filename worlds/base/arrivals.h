@@ -18,9 +18,9 @@ class Arrivals {
     enum class Mode : std::uint8_t { Outside, Counts, LooksOnly };
 
 public:
-    // Makes the object for a live session, in which a result is available as soon as it is done. `tell` receives the
+    // Makes the object for a live session, in which a result is available as soon as it is done. `report` receives the
     // count of each query that was answered with yes.
-    explicit Arrivals(std::function<void(std::uint64_t asked)> tell) : tell_(std::move(tell)) {}
+    explicit Arrivals(std::function<void(std::uint64_t number)> report) : report_(std::move(report)) {}
     // Makes the object for a replay. The queries with the counts in `came` are answered with yes, and no others.
     explicit Arrivals(std::set<std::uint64_t> came) : came_(std::move(came)) {}
 
@@ -49,21 +49,21 @@ public:
     static bool there(Arrivals* of, TryIt try_it, Wait wait) {
         if (!of || of->mode_ == Mode::Outside) return try_it();
         if (of->mode_ == Mode::LooksOnly) return false;
-        const std::uint64_t asked = ++of->asked_;
+        const std::uint64_t number = ++of->queries_;
         if (of->came_) {
-            if (!of->came_->contains(asked)) return false;
+            if (!of->came_->contains(number)) return false;
             wait();
             return true;
         }
         const bool yes = try_it();
-        if (yes) of->tell_(asked);
+        if (yes) of->report_(number);
         return yes;
     }
 
 private:
-    std::function<void(std::uint64_t)> tell_;
+    std::function<void(std::uint64_t)> report_;
     std::optional<std::set<std::uint64_t>> came_;
-    std::uint64_t asked_ = 0;
+    std::uint64_t queries_ = 0;
     Mode mode_ = Mode::Outside;
 };
 

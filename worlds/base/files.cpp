@@ -19,7 +19,7 @@ namespace handrail {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view kBeside = ".new-";
+constexpr std::string_view kNextTo = ".new-";
 constexpr std::size_t kRandomLetters = 6;  // the number of random letters in a mkostemp template
 // Seconds after which an unlocked temporary file is regarded as abandoned. A process needs less time to lock a new one.
 constexpr time_t kStaleAfterS = 60;
@@ -56,7 +56,7 @@ bool is_link(int folder, const fs::path& part) {
 // Removes abandoned temporary files next to `target`. A process that replaces a file holds a lock on its temporary file
 // and loses the lock when it dies. So an old temporary file without a lock is abandoned.
 void sweep_up_beside(const fs::path& target) {
-    const std::string begin = target.filename().string() + std::string(kBeside);
+    const std::string begin = target.filename().string() + std::string(kNextTo);
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     std::error_code ec;
     for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec)) {
@@ -166,7 +166,7 @@ Result<void> replace(const fs::path& target, std::string_view content, mode_t fr
         return fail(phrase(S_ISDIR(old.st_mode) ? "files.folder" : "files.no_file"), name);
     const mode_t mode = there ? (old.st_mode & 07777) : fresh_mode;
     sweep_up_beside(target);
-    std::string beside = target.string() + std::string(kBeside) + std::string(kRandomLetters, 'X');
+    std::string beside = target.string() + std::string(kNextTo) + std::string(kRandomLetters, 'X');
     int error = 0;
     {
         const Descriptor file(again([&] { return ::mkostemp(beside.data(), O_CLOEXEC); }));

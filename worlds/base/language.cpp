@@ -163,14 +163,14 @@ std::string fill(const Language& language, const std::string& pattern, std::init
 // Returns a sentence with the reason why `pattern` cannot replace the English text under `key`, or an empty string if
 // `pattern` can.
 std::string misfit(const std::string& key, const std::string& pattern) {
-    std::vector<std::string> asked, offered;
+    std::vector<std::string> named, offered;
     if (pattern.empty()) return phrase("language.empty_text", {{"key", key}});
-    if (const std::string fault = pattern_fault(pattern, &asked); !fault.empty())
+    if (const std::string fault = pattern_fault(pattern, &named); !fault.empty())
         return phrase("language.bad_pattern", {{"key", key}, {"fault", fault}});
     const std::string* original = find(english(), key);
     if (!original) return phrase("language.unknown_key", {{"key", key}});
     pattern_fault(*original, &offered);
-    for (const std::string& name : asked)
+    for (const std::string& name : named)
         if (!std::binary_search(offered.begin(), offered.end(), name))
             return phrase("language.unknown_value", {{"key", key}, {"name", name}});
     return "";

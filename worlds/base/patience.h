@@ -15,15 +15,15 @@ public:
     bool due(double now_s) {
         if (now_s < next_s_) return false;
         next_s_ = now_s + kEvery_s;
-        told_ = true;
+        announced_ = true;
         return true;
     }
-    bool told() const { return told_; }  // true after due() has returned true at least once
+    bool announced() const { return announced_; }  // true after due() has returned true at least once
     double waited_s(double now_s) const { return now_s - begun_s_; }
 
 private:
     double begun_s_, next_s_;
-    bool told_ = false;
+    bool announced_ = false;
 };
 
 }  // namespace handrail

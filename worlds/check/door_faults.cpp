@@ -11,7 +11,7 @@ namespace handrail::check {
 namespace {
 
 constexpr double kJamb_m = 0.06;       // greatest distance between the side of a leaf and its wall or frame
-constexpr double kBesideDoor_m = 1.0;  // distance on both sides of a door within which floors are considered
+constexpr double kNextToDoor_m = 1.0;  // distance on both sides of a door within which floors are considered
 constexpr double kTallest_m = 4.0;     // greatest height of a door; used if no floors are known
 constexpr double kInFront_m = 0.5;     // a thing nearer to the door than this distance may block it
 
@@ -142,7 +142,7 @@ double levels_apart(const Examined& world, const Doorway& door) {
         return static_cast<std::uint32_t>(std::clamp((at - origin) / space.cell_m, 0.0, most - 1.0));
     };
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    const Aabb around = grown(door.box, kBesideDoor_m);
+    const Aabb around = grown(door.box, kNextToDoor_m);
     const std::uint32_t x1 = cell(around.max_m.x, space.origin_m.x, space.width),
                         y1 = cell(around.max_m.y, space.origin_m.y, space.depth);
     for (std::uint32_t y = cell(around.min_m.y, space.origin_m.y, space.depth); y <= y1; ++y)
@@ -162,12 +162,13 @@ void find_door_faults(const Examined& world, std::vector<WorldFault>& faults) {
     if (world.space)
         for (std::uint32_t s = 0; s < world.space->spans.size(); ++s)
             if (const std::uint32_t door = world.space->spans[s].door; door < within.size()) within[door].push_back(s);
-    std::vector<FeatureId> told;  // features of the doors that the file states
+    std::vector<FeatureId> stated_doors;  // features of the doors that the file states
     if (world.scene.stated)
-        for (const StatedPortal& portal : world.scene.stated->portals) told.push_back(portal.feature);
+        for (const StatedPortal& portal : world.scene.stated->portals) stated_doors.push_back(portal.feature);
     for (const Doorway& door : doorways(world)) {
         if (door.normal == Vec3(0.0)) continue;
-        const bool stated = std::find(told.begin(), told.end(), door.features.front()) != told.end();
+        const bool stated =
+            std::find(stated_doors.begin(), stated_doors.end(), door.features.front()) != stated_doors.end();
         if (!stated && world.space && !door.of_lift && (!door.opens || !leads_through(world, door, within))) {
             WorldFault fault = fault_of(world, door, FaultKind::ImpassableDoor);
             if (door.opens) fault.other = in_the_way(world, door);

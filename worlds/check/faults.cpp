@@ -96,10 +96,11 @@ std::vector<WorldFault> find_faults(const Scene& scene, const navigation::WalkSp
     find_shell_faults(world, faults);
     find_thing_faults(world, faults);
     for (const Diagnostic& warning : scene.report.warnings) {
-        const bool told = warning.line > 0 && std::any_of(faults.begin(), faults.end(), [&](const WorldFault& fault) {
-                              return fault.source.line == warning.line && fault.kind != FaultKind::NoLandmark;
-                          });
-        if (told) continue;
+        const bool reported =
+            warning.line > 0 && std::any_of(faults.begin(), faults.end(), [&](const WorldFault& fault) {
+                return fault.source.line == warning.line && fault.kind != FaultKind::NoLandmark;
+            });
+        if (reported) continue;
         WorldFault fault{FaultKind::DamagedInFile, Vec3(0.0), {warning.line, 0}};
         fault.name = warning.message;
         fault.other = warning.action;

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "worlds/check/way_lacks.h"
+#include "worlds/check/route_lacks.h"
 #include "worlds/navigation/rooms.h"
 #include "worlds/scene/scene.h"
 

@@ -59,7 +59,7 @@ std::string name_from_below(const Scene& scene, const Solid& solid) {
 
 // Stores in `fault` what the best route lacks. Does nothing if a thing limits the headroom, because things can be
 // moved.
-void tell_lack(const Examined& world, WorldFault& fault, const WayLacks& found) {
+void store_lack(const Examined& world, WorldFault& fault, const RouteLacks& found) {
     if (found.lack == Lack::Nothing) return;
     if (found.lack == Lack::Headroom)
         if (const Solid* solid = above(world, found.at_m, found.has_m)) {
@@ -73,19 +73,19 @@ void tell_lack(const Examined& world, WorldFault& fault, const WayLacks& found) 
 }
 
 // For each fault without an explanation, stores what the best route lacks.
-void tell_lacks(const Examined& world, std::span<WorldFault> faults, std::span<const Lack> kinds,
-                const std::stop_token& stop) {
+void store_lacks(const Examined& world, std::span<WorldFault> faults, std::span<const Lack> kinds,
+                 const std::stop_token& stop) {
     const Start* const base = navigation::base_of(world.scene);
     if (!base) return;
-    std::vector<WorldFault*> untold;
+    std::vector<WorldFault*> unexplained;
     std::vector<Vec3> places_m;
     for (WorldFault& fault : faults)
         if (fault.other.empty()) {
-            untold.push_back(&fault);
+            unexplained.push_back(&fault);
             places_m.push_back(fault.at_m);
         }
-    const std::vector<WayLacks> lacks = way_lacks(world.scene, *world.space, base->feet_m, places_m, kinds, stop);
-    for (std::size_t i = 0; i < lacks.size(); ++i) tell_lack(world, *untold[i], lacks[i]);
+    const std::vector<RouteLacks> lacks = route_lacks(world.scene, *world.space, base->feet_m, places_m, kinds, stop);
+    for (std::size_t i = 0; i < lacks.size(); ++i) store_lack(world, *unexplained[i], lacks[i]);
 }
 
 // Adds a fault for each flight of stairs on which nobody can walk step by step. Stores what keeps people from walking
@@ -105,23 +105,23 @@ void in_one_go(const Examined& world, std::vector<WorldFault>& faults) {
             Aabb around = stairs->bounds_m;
             around.include(foot_m);
             around.include(head_m);
-            tell_lack(world, fault,
-                      way_lacks_within(world.scene, *world.space, foot_m, head_m,
-                                       grown(around, navigation::kBesideStairs_m), kKinds));
+            store_lack(world, fault,
+                       route_lacks_within(world.scene, *world.space, foot_m, head_m,
+                                          grown(around, navigation::kNextToStairs_m), kKinds));
         }
         faults.push_back(std::move(fault));
     }
 }
 
-// Returns a fault for each room that things block, unless `told` has a fault about the room already.
-std::vector<WorldFault> blocked_by_things(const Examined& world, std::span<const WorldFault> told,
+// Returns a fault for each room that things block, unless `reported` has a fault about the room already.
+std::vector<WorldFault> blocked_by_things(const Examined& world, std::span<const WorldFault> reported,
                                           const std::stop_token& stop = {}) {
     const std::vector<bool> reached = walked_into(world);
     std::vector<WorldFault> found;
     for (std::uint32_t r = 0; r < reached.size(); ++r) {
         const navigation::Room& room = world.graph->rooms[r];
         const bool known =
-            std::any_of(told.begin(), told.end(), [&](const WorldFault& fault) { return fault.room == r; });
+            std::any_of(reported.begin(), reported.end(), [&](const WorldFault& fault) { return fault.room == r; });
         if (reached[r] || known || room.kind == navigation::RoomKind::Liquid ||
             room.kind == navigation::RoomKind::Niche || world.is_ground(r))
             continue;
@@ -134,7 +134,7 @@ std::vector<WorldFault> blocked_by_things(const Examined& world, std::span<const
     // Stairs may be among the things that block a room. They may lead below a floor, and then the lack of headroom is
     // the better explanation.
     constexpr std::array kKinds{Lack::Headroom};
-    tell_lacks(world, found, kKinds, stop);
+    store_lacks(world, found, kKinds, stop);
     return found;
 }
 
@@ -153,7 +153,7 @@ std::vector<WorldFault> out_of_reach(const Examined& world, std::optional<std::u
         found.push_back(std::move(fault));
     }
     constexpr std::array kKinds{Lack::Headroom, Lack::Step, Lack::Width};
-    tell_lacks(world, found, kKinds, stop);
+    store_lacks(world, found, kKinds, stop);
     // Suggests a missing door only if no narrow gap or low opening explains the fault. Most gaps and low openings are
     // in a wall that could have a door as well, so the suggestion would mislead.
     for (WorldFault& fault : found) {
@@ -275,8 +275,8 @@ void names_in_one_place(const Examined& world, std::vector<WorldFault>& faults) 
 }  // namespace
 
 void find_room_faults(const Examined& world, std::vector<WorldFault>& faults) {
-    std::vector<WorldFault> no_way = out_of_reach(world), blocked = blocked_by_things(world, no_way);
-    std::move(no_way.begin(), no_way.end(), std::back_inserter(faults));
+    std::vector<WorldFault> no_route = out_of_reach(world), blocked = blocked_by_things(world, no_route);
+    std::move(no_route.begin(), no_route.end(), std::back_inserter(faults));
     std::move(blocked.begin(), blocked.end(), std::back_inserter(faults));
     in_one_go(world, faults);
     if (!world.scene.stated) names_in_one_place(world, faults);
@@ -289,8 +289,8 @@ std::optional<WorldFault> why_out_of_reach(const Scene& scene, const navigation:
                                            const std::stop_token& stop) {
     contract_pre(room < graph.rooms.size());
     const Examined world(scene, &space, &graph);
-    if (std::vector<WorldFault> no_way = out_of_reach(world, room, stop); !no_way.empty())
-        return std::move(no_way.front());
+    if (std::vector<WorldFault> no_route = out_of_reach(world, room, stop); !no_route.empty())
+        return std::move(no_route.front());
     for (WorldFault& fault : blocked_by_things(world, {}, stop))
         if (fault.room == room) return std::move(fault);
     return std::nullopt;

@@ -132,7 +132,7 @@ void edges(const Examined& world, std::vector<WorldFault>& faults) {
     const std::array<Vec3, 4> ways{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, -1, 0)};
     const double far_m = space.body.radius_m + 2.0 * space.cell_m;
     // The faults that are already reported, so that each kind is reported only once in a room.
-    std::set<std::pair<std::uint32_t, FaultKind>> told;
+    std::set<std::pair<std::uint32_t, FaultKind>> reported;
     for (std::uint32_t s = 0; s < space.spans.size(); ++s) {
         const navigation::WalkSpan& span = space.spans[s];
         const std::uint32_t room = world.graph->room_of_span[s];
@@ -144,7 +144,7 @@ void edges(const Examined& world, std::vector<WorldFault>& faults) {
             const double drop = top ? feet.z - *top : 0.0;
             if (top && drop < kMostDrop_m) continue;
             const FaultKind kind = top ? FaultKind::UnguardedDrop : FaultKind::FloorEnds;
-            if (!told.insert({room, kind}).second) continue;
+            if (!reported.insert({room, kind}).second) continue;
             WorldFault fault{kind, feet, world.ground_source(feet)};
             fault.room = room;
             fault.name = world.room_name(room);

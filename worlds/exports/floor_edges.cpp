@@ -18,7 +18,7 @@ constexpr double kEdgeAside_mm = 0.4;
 // the grid has steps of one cell. Short lines along each of these steps would not show where the edge runs.
 constexpr double kSteps_cells = 1.05;
 // The stretch without lines at an exit extends this far beyond the width of the exit.
-constexpr double kBesideExit_m = 0.6;
+constexpr double kNextToExit_m = 0.6;
 
 // Finds places on a closed line by their distance along the line.
 class AlongLoop {
@@ -80,7 +80,7 @@ private:
     bool leads_on(const Vec2& mm) const {
         const Vec2 at = on_paper_.world(mm);
         return std::any_of(storey_.exits.begin(), storey_.exits.end(), [&](const plan::StoreyExit& exit) {
-            return glm::distance(exit.place_m, at) < 0.5 * exit.width_m + kBesideExit_m;
+            return glm::distance(exit.place_m, at) < 0.5 * exit.width_m + kNextToExit_m;
         });
     }
 

@@ -18,7 +18,7 @@ namespace {
 constexpr double kUnderFloor_m = 0.1, kUnderCeiling_m = 0.2;
 constexpr double kThickestPane_m = 0.6;
 // An object outside an outline by at most this distance still belongs to the room, such as shelves along its wall.
-constexpr double kBesideRoom_m = 0.5;
+constexpr double kNextToRoom_m = 0.5;
 // Factor for height differences in the search for the room of an object: a metre of height is as much as this many
 // metres sideways. So the object stays on its storey.
 constexpr double kStoreyFirst = 100.0;
@@ -67,19 +67,19 @@ public:
 
     void furnish() {
         if (house_.rooms.empty()) return;
-        std::vector<bool> told(scene_.features.size(), false);
-        const auto tell = [&](const std::vector<StatedThing>& things, bool window) {
+        std::vector<bool> stated(scene_.features.size(), false);
+        const auto add_stated = [&](const std::vector<StatedThing>& things, bool window) {
             for (const StatedThing& thing : things) {
-                if (thing.feature) told[thing.feature.value] = true;
+                if (thing.feature) stated[thing.feature.value] = true;
                 if (thing.bounds_m.empty()) ++without_form_;
                 else add(thing.feature, thing.bounds_m, window, false, true);
             }
         };
         if (scene_.stated) {
-            tell(scene_.stated->windows, true);
-            tell(scene_.stated->furnishings, false);
+            add_stated(scene_.stated->windows, true);
+            add_stated(scene_.stated->furnishings, false);
             for (const StatedPortal& portal : scene_.stated->portals)
-                if (portal.feature) told[portal.feature.value] = true;
+                if (portal.feature) stated[portal.feature.value] = true;
         }
         // Adds the named objects in the building, except doors, stairs, lifts and walls. If the file lists its
         // furniture, all other objects are fixtures.
@@ -89,7 +89,7 @@ public:
             if (one.role == SolidRole::Solid && one.feature) solid[one.feature.value] = true;
         for (std::uint32_t f = 0; f < scene_.features.size(); ++f) {
             const Feature& feature = scene_.features[f];
-            if (told[f] || !solid[f] || feature.kind != FeatureKind::Object || feature.made_name ||
+            if (stated[f] || !solid[f] || feature.kind != FeatureKind::Object || feature.made_name ||
                 feature.name.empty() || feature.bounds_m.empty())
                 continue;
             add({f}, feature.bounds_m, !scene_.stated && is_called_window(feature), counted, false);
@@ -119,7 +119,7 @@ private:
         thing.room = window ? nearest(box, 0.5) : holding(box);
         if (!window && thing.room == house_.rooms.size()) {
             thing.room = nearest(box, 0.0);
-            if (!counted && distance_to(thing.room, box, 0.0) > kBesideRoom_m) {
+            if (!counted && distance_to(thing.room, box, 0.0) > kNextToRoom_m) {
                 outside_.push_back(thing.name);
                 return;
             }

@@ -9,8 +9,8 @@ namespace handrail::exports {
 namespace {
 
 // A finger passes through a portal within a certain distance of its middle. That distance is half the portal's width,
-// or half of a door's width on paper, plus kBesidePortal_mm and kBesidePortal_m.
-constexpr double kHalfDoor_mm = 3.3, kBesidePortal_mm = 2.0, kBesidePortal_m = 0.5;
+// or half of a door's width on paper, plus kNextToPortal_mm and kNextToPortal_m.
+constexpr double kHalfDoor_mm = 3.3, kNextToPortal_mm = 2.0, kNextToPortal_m = 0.5;
 constexpr double kLeastLeak_mm = 0.3;  // a narrower gap between rooms is only an effect of the pixels
 
 Vec2 middle_of(const plan::RoomGrid& grid, std::size_t square) {
@@ -57,7 +57,7 @@ private:
 
     double reach_mm(const plan::StoreyPortal& portal) const {
         return std::max(0.5 * portal.width_m * on_paper_.mm_per_m, kHalfDoor_mm) +
-               kBesidePortal_m * on_paper_.mm_per_m + kBesidePortal_mm;
+               kNextToPortal_m * on_paper_.mm_per_m + kNextToPortal_mm;
     }
 
     // Returns whether the room is a flight of stairs. Its lines show its sides, which have no walls. A line around it
@@ -68,7 +68,7 @@ private:
     // wall at such a place.
     bool leads_on(const plan::RoomBorder& border, const Vec2& at) const {
         return std::any_of(storey_.exits.begin(), storey_.exits.end(), [&](const plan::StoreyExit& exit) {
-            const double reach = (0.5 * exit.width_m + kBesidePortal_m) * on_paper_.mm_per_m + kBesidePortal_mm;
+            const double reach = (0.5 * exit.width_m + kNextToPortal_m) * on_paper_.mm_per_m + kNextToPortal_mm;
             return (exit.room == border.rooms[0] || exit.room == border.rooms[1]) &&
                    glm::distance(on_paper_(exit.place_m), at) <= reach;
         });
@@ -76,7 +76,7 @@ private:
 
     // Returns whether a walker can step from one room into the other near this place.
     bool is_crossed(const std::vector<Vec2>& crossings_m, const Vec2& at) const {
-        const double reach = kBesidePortal_m * on_paper_.mm_per_m + kBesidePortal_mm;
+        const double reach = kNextToPortal_m * on_paper_.mm_per_m + kNextToPortal_mm;
         return std::any_of(crossings_m.begin(), crossings_m.end(),
                            [&](const Vec2& crossing_m) { return glm::distance(on_paper_(crossing_m), at) <= reach; });
     }

@@ -272,9 +272,9 @@ std::vector<double> scales_needed(const plan::Storey& storey, const std::vector<
         const auto pixel = [&](double at_m, int axis, int most) {
             return std::clamp(static_cast<int>((at_m - storey.min_m[axis]) / pixel_m), 0, most);
         };
-        constexpr double kBesideFloor_m = 0.35;
-        const Vec2 low = storey.rooms[room].min_m - Vec2(kBesideFloor_m),
-                   high = storey.rooms[room].max_m + Vec2(kBesideFloor_m);
+        constexpr double kNextToFloor_m = 0.35;
+        const Vec2 low = storey.rooms[room].min_m - Vec2(kNextToFloor_m),
+                   high = storey.rooms[room].max_m + Vec2(kNextToFloor_m);
         const int x0 = pixel(low.x, 0, grid.wide), x1 = pixel(high.x, 0, grid.wide), y0 = pixel(low.y, 1, grid.high),
                   y1 = pixel(high.y, 1, grid.high);
         const int wide = x1 - x0, deep = y1 - y0;

@@ -86,7 +86,7 @@ public:
         stairs_ = stair_lines(storey_, on_plate_, rooms_, places_, kLeastWall_mm, kFree_mm + 1.0, kLeastThing_mm);
         for (const plan::PlanBox& line : stairs_.lines) {
             raise(corners_of(line), kLow_mm);
-            beside_things_.take(corners_of(line));
+            things_apart_.take(corners_of(line));
         }
         if (const Result<void> signs = raise_signs(); !signs) return tl::unexpected(signs.error());
         raise_base();
@@ -95,7 +95,7 @@ public:
         auto triangles = plate_with(um(made_.wide_mm), um(made_.deep_mm), um(kPlate_mm), raised_);
         if (!triangles || !check_solid(*triangles).closed()) return fail(phrase("export.not_closed"));
         made_.triangles = std::move(*triangles);
-        tell();
+        report();
         return std::move(made_);
     }
 
@@ -110,8 +110,8 @@ private:
         part_corners(walls_.ink);
         for (PlateArea& area : areas_of(traced_mm(walls_.ink))) raised_.push_back({std::move(area), um(kWall_mm)});
         places_ = Places(walls_.ink, kFree_mm, Vec2(2.0), Vec2(made_.wide_mm - 2.0, made_.deep_mm - 2.0));
-        beside_things_ = places_;
-        for (const plan::StoreyThing& thing : storey_.things) beside_things_.take(corners_of(on_plate_(thing.box)));
+        things_apart_ = places_;
+        for (const plan::StoreyThing& thing : storey_.things) things_apart_.take(corners_of(on_plate_(thing.box)));
     }
 
     // Fills cavities where nobody can walk, such as the space between the two leaves of a cavity wall. Fingers then
@@ -144,7 +144,7 @@ private:
             return;
         }
         places_.take(arrow->loop_mm);
-        beside_things_.take(arrow->loop_mm);
+        things_apart_.take(arrow->loop_mm);
         raise(arrow->loop_mm, kLow_mm);
     }
 
@@ -152,7 +152,7 @@ private:
         const EdgeInk ink = edge_lines(storey_, on_plate_, rooms_, places_, kLeastWall_mm, kFree_mm + 1.0);
         for (const plan::PlanBox& line : ink.lines) {
             raise(corners_of(line), kLow_mm);
-            beside_things_.take(corners_of(line));
+            things_apart_.take(corners_of(line));
         }
     }
 
@@ -162,12 +162,12 @@ private:
             const Result<BrailleCells> cells = braille_signs(made_.signs[i].sign, table_);
             if (!cells) return tl::unexpected(cells.error());
             const Vec2 half = 0.5 * braille_size_mm(cells->size()) + Vec2(0.1);
-            const auto place = place_of_sign(storey_, i, on_plate_, rooms_, places_, beside_things_, half, {});
+            const auto place = place_of_sign(storey_, i, on_plate_, rooms_, places_, things_apart_, half, {});
             if (!place) continue;
             made_.signs[i].on_sheet = true;
             const std::vector<Vec2> corners = corners_of(plan::PlanBox{*place, {1.0, 0.0}, half});
             places_.take(corners);
-            beside_things_.take(corners);
+            things_apart_.take(corners);
             SheetPage dots;
             lay_braille(dots, *cells, *place + Vec2(-half.x, half.y) + Vec2(0.5, -0.5) * kDotWide_mm, 1);
             for (const SheetDot& dot : dots.dots) {
@@ -198,7 +198,7 @@ private:
         if (!left_out.empty()) made_.simplified.push_back(phrase("export.left_out", {{"names", names_list(left_out)}}));
     }
 
-    void tell() {
+    void report() {
         std::vector<std::string> unsigned_rooms;
         for (std::size_t i = 0; i < made_.signs.size(); ++i)
             if (!made_.signs[i].on_sheet &&
@@ -221,7 +221,7 @@ private:
     WallInk walls_;
     plan::RoomGrid rooms_;
     StairInk stairs_;
-    Places places_, beside_things_;
+    Places places_, things_apart_;
     std::vector<RaisedArea> raised_;
 };
 

@@ -41,15 +41,15 @@ double whole_scale(const Vec2& size_m, const Vec2& room_mm) {
 // Makes one sheet. The items are drawn in the order in which they get their space: walls, stairs, base, signs, objects.
 class SheetMaker {
 public:
-    SheetMaker(const plan::Storey& storey, const SheetWish& wish, std::optional<SheetPart> part,
+    SheetMaker(const plan::Storey& storey, const SheetOptions& options, std::optional<SheetPart> part,
                std::vector<std::string>& letters)
-        : storey_(storey), wish_(wish), table_(wish.table), letters_(letters) {
+        : storey_(storey), options_(options), table_(options.table), letters_(letters) {
         made_.part = std::move(part);
         letters_.resize(storey.rooms.size());
     }
 
     Result<SwellSheet> make() {
-        if (const Result<void> laid = made_.part ? lay_out_part() : lay_out(wish_.paper); !laid)
+        if (const Result<void> laid = made_.part ? lay_out_part() : lay_out(options_.paper); !laid)
             return tl::unexpected(laid.error());
         draw_walls();
         made_.signs = room_signs(storey_);
@@ -63,7 +63,7 @@ public:
         if (const Result<void> head = draw_frame(); !head) return tl::unexpected(head.error());
         made_.on_paper = on_paper_;
         find_by_doors();
-        tell();
+        report();
         list_key();
         return std::move(made_);
     }
@@ -98,14 +98,14 @@ private:
     Result<void> lay_out_part() {
         const SheetPart& part = *made_.part;
         const Vec2 size_mm = (part.max_m - part.min_m) * (1000.0 / part.one_to);
-        const bool turned = size_mm.x > room_on_page(wish_.paper, false, true).x + 1e-6;
+        const bool turned = size_mm.x > room_on_page(options_.paper, false, true).x + 1e-6;
         made_.one_to = part.one_to;
-        made_.plan.width_mm = turned ? wish_.paper.long_mm : wish_.paper.short_mm;
-        made_.plan.height_mm = turned ? wish_.paper.short_mm : wish_.paper.long_mm;
+        made_.plan.width_mm = turned ? options_.paper.long_mm : options_.paper.short_mm;
+        made_.plan.height_mm = turned ? options_.paper.short_mm : options_.paper.long_mm;
         on_paper_.from_m = part.min_m;
         on_paper_.mm_per_m = 1000.0 / part.one_to;
         on_paper_.shift_mm = Vec2(kMargin_mm, kMargin_mm + kSheetFoot_mm + kPartFoot_mm) +
-                             0.5 * (room_on_page(wish_.paper, turned, true) - size_mm);
+                             0.5 * (room_on_page(options_.paper, turned, true) - size_mm);
         low_mm_ = on_paper_.shift_mm;
         high_mm_ = low_mm_ + size_mm;
         present_.assign(storey_.rooms.size(), false);
@@ -155,13 +155,13 @@ private:
         cut_off(walls_.ink, low_mm_, high_mm_, kLeastPiece_mm);
         made_.plan.shapes.push_back({traced_mm(walls_.ink), kWallPart});
         places_ = Places(walls_.ink, kClear_mm, low_mm_, high_mm_);
-        beside_things_ = places_;
-        for (const plan::StoreyThing& thing : storey_.things) beside_things_.take(corners_of(on_paper_(thing.box)));
+        things_apart_ = places_;
+        for (const plan::StoreyThing& thing : storey_.things) things_apart_.take(corners_of(on_paper_(thing.box)));
     }
 
     void draw(Loops loops) {
         places_.take(loops.front());
-        beside_things_.take(loops.front());
+        things_apart_.take(loops.front());
         made_.plan.shapes.push_back({std::move(loops), ++parts_});
     }
 
@@ -210,8 +210,8 @@ private:
     }
 
     std::optional<Vec2> place_of(std::size_t room, const BrailleCells& cells, const Places& free) const {
-        return place_of_sign(storey_, room, on_paper_, rooms_, free, beside_things_,
-                             0.5 * braille_size_mm(cells.size()), sign_boxes_);
+        return place_of_sign(storey_, room, on_paper_, rooms_, free, things_apart_, 0.5 * braille_size_mm(cells.size()),
+                             sign_boxes_);
     }
 
     void draw_sign(std::size_t room, const BrailleCells& cells, const Vec2& place) {
@@ -222,7 +222,7 @@ private:
         sign_boxes_.push_back({place, {1.0, 0.0}, half});
         const std::vector<Vec2> corners = corners_of(sign_boxes_.back());
         places_.take(corners);
-        beside_things_.take(corners);
+        things_apart_.take(corners);
         lay_braille(made_.plan, cells, place + Vec2(-half.x, half.y) + Vec2(0.5, -0.5) * kBrailleDot_mm, ++parts_);
     }
 
@@ -276,13 +276,13 @@ private:
     // letter of its name, else any letter that no room of the sheet uses. The letter "a" is never used, because it is a
     // single dot.
     std::string free_letter(std::size_t room) const {
-        std::string wished = letters_[room].size() == 1 ? letters_[room] : std::string();
+        std::string preferred = letters_[room].size() == 1 ? letters_[room] : std::string();
         for (const char c : storey_.rooms[room].name)
             if (const int low = std::tolower(static_cast<unsigned char>(c)); low > 'a' && low <= 'z')
-                wished += static_cast<char>(low);
-        wished += "bcdefghijklmnopqrstuvwxyz";
-        const std::size_t free = wished.find_first_not_of(taken_letters_);
-        return free == std::string::npos ? std::string() : wished.substr(free, 1);
+                preferred += static_cast<char>(low);
+        preferred += "bcdefghijklmnopqrstuvwxyz";
+        const std::size_t free = preferred.find_first_not_of(taken_letters_);
+        return free == std::string::npos ? std::string() : preferred.substr(free, 1);
     }
 
     // Draws a shorter sign than the room's own if there is space for it. Returns whether it drew the sign.
@@ -351,7 +351,7 @@ private:
         thing_room_.assign(storey_.things.size(), navigation::kNothing);
         for (std::size_t i = 0; i < storey_.things.size(); ++i) {
             const plan::StoreyThing& thing = storey_.things[i];
-            if (wish_.coarse || !shown(thing.box.middle_m)) continue;
+            if (options_.coarse || !shown(thing.box.middle_m)) continue;
             const ThingFit fit = fit_of_thing(thing, on_paper_, places_, kLeastSymbol_mm);
             if (!fit.box) {
                 left_out_.push_back(thing.name);
@@ -472,7 +472,9 @@ private:
 
     // Returns whether only the key names the room. On a coarse plan, small rooms have no signs; stairs are recognised
     // by their lines.
-    bool is_left_to_key(std::size_t room) const { return wish_.coarse && storey_.rooms[room].area_m2 < kCoarseRoom_m2; }
+    bool is_left_to_key(std::size_t room) const {
+        return options_.coarse && storey_.rooms[room].area_m2 < kCoarseRoom_m2;
+    }
     bool needs_sign(std::size_t room) const {
         return present_[room] && !is_left_to_key(room) && !storey_.rooms[room].shut && !storey_.rooms[room].elsewhere;
     }
@@ -480,7 +482,7 @@ private:
         return std::find(stairs_.drawn.begin(), stairs_.drawn.end(), room) != stairs_.drawn.end();
     }
 
-    void tell() {
+    void report() {
         std::vector<std::string>& said = made_.simplified;
         if (walls_.thicker > 0)
             said.push_back(phrase("export.walls_thicker", {{"count", walls_.thicker}, {"mm", kWallLine_mm}}));
@@ -660,9 +662,9 @@ private:
                 : !doors.empty() ? phrase("export.key_room_by_doors", {{"name", name}, {"names", names_list(doors)}})
                 : storey_.rooms[i].shut ? phrase("export.key_room_shut", {{"name", name}})
                                         : phrase("export.key_room_unsigned", {{"name", name}});
-            if (i < wish_.plate_signs.size() && !wish_.plate_signs[i].empty() &&
-                !(sign.on_sheet && sign.sign == wish_.plate_signs[i]))
-                line += " " + phrase("export.key_room_on_plate", {{"sign", wish_.plate_signs[i]}});
+            if (i < options_.plate_signs.size() && !options_.plate_signs[i].empty() &&
+                !(sign.on_sheet && sign.sign == options_.plate_signs[i]))
+                line += " " + phrase("export.key_room_on_plate", {{"sign", options_.plate_signs[i]}});
             if (!in_room[i].empty())
                 line += " " + phrase("export.key_room_things", {{"names", names_list(in_room[i])}});
             made_.key_line_of_room[i] = text.size();
@@ -672,7 +674,7 @@ private:
     }
 
     const plan::Storey& storey_;
-    const SheetWish& wish_;
+    const SheetOptions& options_;
     BrailleTable table_;
     std::vector<std::string>& letters_;  // for each room: its shorter sign, see swell_sheet
     std::string taken_letters_;          // letters of the one-letter signs on this sheet
@@ -684,8 +686,8 @@ private:
     double bar_m_ = 5.0;
     int parts_ = kWallPart;
     WallInk walls_;
-    Places places_;         // free space for signs
-    Places beside_things_;  // the same as places_, but objects take no space
+    Places places_;        // free space for signs
+    Places things_apart_;  // the same as places_, but objects take no space
     int hollow_ = 0;
     MendedOpenings mended_;
     // Names of rooms whose floor ends without a wall: those where lines show it, and those where no lines fit.
@@ -726,17 +728,17 @@ Result<void> write_key(SwellSheet& sheet, BrailleTable table) {
     return {};
 }
 
-Result<SwellSheet> swell_sheet(const plan::Storey& storey, const SheetWish& wish) {
+Result<SwellSheet> swell_sheet(const plan::Storey& storey, const SheetOptions& options) {
     std::vector<std::string> letters;
-    Result<SwellSheet> sheet = SheetMaker(storey, wish, std::nullopt, letters).make();
+    Result<SwellSheet> sheet = SheetMaker(storey, options, std::nullopt, letters).make();
     if (!sheet) return sheet;
-    if (const Result<void> written = write_key(*sheet, wish.table); !written) return tl::unexpected(written.error());
+    if (const Result<void> written = write_key(*sheet, options.table); !written) return tl::unexpected(written.error());
     return sheet;
 }
 
-Result<SwellSheet> swell_sheet(const plan::Storey& storey, const SheetWish& wish, const SheetPart& part,
+Result<SwellSheet> swell_sheet(const plan::Storey& storey, const SheetOptions& options, const SheetPart& part,
                                std::vector<std::string>& letters) {
-    return SheetMaker(storey, wish, part, letters).make();
+    return SheetMaker(storey, options, part, letters).make();
 }
 
 }  // namespace handrail::exports

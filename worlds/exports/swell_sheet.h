@@ -28,7 +28,7 @@ inline constexpr double kLeastGap_mm = 3.0, kLeastSymbol_mm = 6.4, kWallLine_mm 
 inline constexpr double kBrailleDot_mm = 1.5, kBraillePitch_mm = 2.5, kBrailleCell_mm = 6.0, kBrailleLine_mm = 10.0;
 
 // The options of a sheet.
-struct SheetWish {
+struct SheetOptions {
     PaperSize paper = kA4;
     BrailleTable table = BrailleTable::EnUebG1;
     // Leaves out objects and the signs of rooms smaller than kCoarseRoom_m2. Only the key names such rooms, and their
@@ -68,10 +68,10 @@ inline constexpr std::size_t kNoKeyLine = static_cast<std::size_t>(-1);
 
 // Makes a single sheet, in portrait or landscape, whichever gives the larger scale. Fails with one sentence if the
 // storey does not fit on a sheet at 1 to 1000, if there is nothing to draw, or if braille is not available.
-Result<SwellSheet> swell_sheet(const plan::Storey& storey, const SheetWish& wish);
+Result<SwellSheet> swell_sheet(const plan::Storey& storey, const SheetOptions& options);
 // Makes one of several sheets. `letters` contains, for every room, the shorter sign that it has on earlier sheets, or
 // an empty string. The function adds the shorter signs of this sheet.
-Result<SwellSheet> swell_sheet(const plan::Storey& storey, const SheetWish& wish, const SheetPart& part,
+Result<SwellSheet> swell_sheet(const plan::Storey& storey, const SheetOptions& options, const SheetPart& part,
                                std::vector<std::string>& letters);
 // Makes the pages of the key from its lines and from the sentences about simplifications and broken promises.
 Result<void> write_key(SwellSheet& sheet, BrailleTable table);
@@ -79,7 +79,7 @@ Result<void> write_key(SwellSheet& sheet, BrailleTable table);
 // scale at which most rooms have space for a sign, and there are at most kMostSheets. Rooms that are too small at that
 // scale also appear on further sheets, which show their surroundings at a larger scale; each key names these sheets. If
 // no scale keeps all promises, the one that keeps most of them is used. Costs half a second for each sheet.
-Result<std::vector<SwellSheet>> swell_sheets(const plan::Storey& storey, const SheetWish& wish);
+Result<std::vector<SwellSheet>> swell_sheets(const plan::Storey& storey, const SheetOptions& options);
 
 // Makes a page with samples. It is printed and swollen first, so that people can choose the dots, lines and gaps that
 // they feel best. It has dots of 1.2 to 1.8 mm, lines of 0.5 to 2 mm and gaps of 2 to 6 mm, each with its size in

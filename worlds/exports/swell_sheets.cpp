@@ -20,17 +20,17 @@ constexpr int kMostLarger = 10;  // most larger sheets to try for rooms that are
 constexpr double kFinestLarger = 50.0;
 constexpr double kAroundSmall_m = 2.0;  // margin around the rooms on a larger sheet
 // Space needed on either side of a sign, for its clearance and for thickened walls.
-constexpr double kBesideSign_mm = 3.7;
+constexpr double kNextToSign_mm = 3.7;
 
-Vec2 needed_mm(std::size_t cells) { return braille_size_mm(cells) + Vec2(2.0 * kBesideSign_mm); }
+Vec2 needed_mm(std::size_t cells) { return braille_size_mm(cells) + Vec2(2.0 * kNextToSign_mm); }
 
 // Makes the sheets of one storey. First come sheets of one scale that cover the storey, then larger sheets of the rooms
 // that are too small on the first sheets.
 class SheetsMaker {
 public:
-    SheetsMaker(const plan::Storey& storey, const SheetWish& wish)
+    SheetsMaker(const plan::Storey& storey, const SheetOptions& options)
         : storey_(storey),
-          wish_(wish),
+          options_(options),
           scales_(kSheetScales.begin(), kSheetScales.end()),
           for_one_cell_(scales_needed(storey, scales_, needed_mm(1))),
           for_sign_(for_whole_signs()) {}
@@ -41,7 +41,7 @@ public:
         std::vector<SwellSheet> best;
         int tried = 0;
         for (std::size_t scale = first_scale() + 1; scale-- > 0 && tried < kScalesTried && least > 0;) {
-            std::vector<SheetPart> parts = parts_of(storey_, wish_.paper, scales_[scale]);
+            std::vector<SheetPart> parts = parts_of(storey_, options_.paper, scales_[scale]);
             if (parts.empty()) break;
             ++tried;
             const Result<std::size_t> broken_here = draw(parts, least);
@@ -63,7 +63,7 @@ public:
 private:
     bool needs_sign(std::size_t room) const {
         return !storey_.rooms[room].shut && !storey_.rooms[room].elsewhere &&
-               !(wish_.coarse && storey_.rooms[room].area_m2 < kCoarseRoom_m2);
+               !(options_.coarse && storey_.rooms[room].area_m2 < kCoarseRoom_m2);
     }
 
     // Returns, for each room, the scale at which its sign fits. A sign with a number needs only the space of two cells,
@@ -73,7 +73,7 @@ private:
         std::map<std::size_t, std::vector<double>> of_cells;
         const std::vector<RoomSign> signs = room_signs(storey_);
         for (std::size_t i = 0; i < needed.size(); ++i) {
-            const Result<BrailleCells> cells = braille_signs(signs[i].sign, wish_.table);
+            const Result<BrailleCells> cells = braille_signs(signs[i].sign, options_.table);
             if (!cells) continue;  // the makers of the sheets report this error, so it is ignored here
             const std::size_t most = std::min<std::size_t>(cells->size(), 2);
             std::vector<double>& known = of_cells[most];
@@ -108,7 +108,7 @@ private:
         const double most = needed_by(for_one_cell_, kWithOneCell);
         std::size_t scale = 0;
         while (scale + 1 < scales_.size() && scales_[scale + 1] <= most) ++scale;
-        const auto sheets_at = [&](std::size_t at) { return parts_of(storey_, wish_.paper, scales_[at]).size(); };
+        const auto sheets_at = [&](std::size_t at) { return parts_of(storey_, options_.paper, scales_[at]).size(); };
         while (scale + 1 < scales_.size() && sheets_at(scale) == 0) ++scale;
         while (scale > 0 && letters_at(scale) > kMostLetters * sheets_at(scale) && sheets_at(scale - 1) > 0) --scale;
         const std::size_t sheets = sheets_at(scale);
@@ -122,7 +122,7 @@ private:
         letters_.clear();
         std::size_t broken = 0;
         for (const SheetPart& part : parts) {
-            Result<SwellSheet> sheet = swell_sheet(storey_, wish_, part, letters_);
+            Result<SwellSheet> sheet = swell_sheet(storey_, options_, part, letters_);
             if (!sheet) return tl::unexpected(sheet.error());
             broken += sheet->broken.size();
             sheets_.push_back(std::move(*sheet));
@@ -159,7 +159,7 @@ private:
             std::erase_if(rooms, [&](std::size_t room) { return at_scale[room] + 1 < at_scale[first]; });
             const std::size_t scale = at_scale[first] - (at_scale[first] > 0 ? 1 : 0);
             const auto [part, shown] = larger_part(first, rooms, scales_[scale]);
-            Result<SwellSheet> sheet = swell_sheet(storey_, wish_, part, letters_);
+            Result<SwellSheet> sheet = swell_sheet(storey_, options_, part, letters_);
             if (!sheet) return tl::unexpected(sheet.error());
             bool helped = false;
             for (const std::size_t room : shown) {
@@ -184,13 +184,13 @@ private:
                   [&](std::size_t a, std::size_t b) { return a == first || (b != first && far(a) < far(b)); });
         const auto fits = [&](const Vec2& size) {
             return std::any_of(std::begin(kWays), std::end(kWays), [&](bool across) {
-                const Vec2 page = room_on_page(wish_.paper, across, true) * (one_to / 1000.0);
+                const Vec2 page = room_on_page(options_.paper, across, true) * (one_to / 1000.0);
                 return size.x <= page.x && size.y <= page.y;
             });
         };
         LargerPart made;
         Vec2 low = storey_.rooms[first].min_m - around, high = storey_.rooms[first].max_m + around;
-        const Vec2 page = room_on_page(wish_.paper, high.x - low.x > high.y - low.y, true) * (one_to / 1000.0);
+        const Vec2 page = room_on_page(options_.paper, high.x - low.x > high.y - low.y, true) * (one_to / 1000.0);
         // If a room is longer than a page, the sheet shows its middle.
         low = glm::max(low, middle - 0.5 * page);
         high = glm::min(high, middle + 0.5 * page);
@@ -232,7 +232,7 @@ private:
             if (!lacking[i].empty())
                 sheets_[i].broken.push_back(
                     phrase("export.no_sign", {{"count", lacking[i].size()}, {"names", names_list(lacking[i])}}));
-            if (Result<void> written = write_key(sheets_[i], wish_.table); !written) return written;
+            if (Result<void> written = write_key(sheets_[i], options_.table); !written) return written;
         }
         return {};
     }
@@ -252,7 +252,7 @@ private:
     static constexpr bool kWays[] = {false, true};
 
     const plan::Storey& storey_;
-    const SheetWish& wish_;
+    const SheetOptions& options_;
     // scales_: all scales; for each room, the scale that it needs for one cell and for its sign: see scales_needed.
     std::vector<double> scales_, for_one_cell_, for_sign_;
     std::vector<SwellSheet> sheets_;
@@ -261,10 +261,10 @@ private:
 
 }  // namespace
 
-Result<std::vector<SwellSheet>> swell_sheets(const plan::Storey& storey, const SheetWish& wish) {
-    Result<SwellSheet> one = swell_sheet(storey, wish);
+Result<std::vector<SwellSheet>> swell_sheets(const plan::Storey& storey, const SheetOptions& options) {
+    Result<SwellSheet> one = swell_sheet(storey, options);
     if (one && one->broken.empty()) return std::vector<SwellSheet>{std::move(*one)};
-    Result<std::vector<SwellSheet>> sheets = SheetsMaker(storey, wish).make();
+    Result<std::vector<SwellSheet>> sheets = SheetsMaker(storey, options).make();
     if (!sheets || !sheets->empty()) return sheets;
     if (!one) return tl::unexpected(one.error());
     return std::vector<SwellSheet>{std::move(*one)};

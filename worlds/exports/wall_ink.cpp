@@ -239,7 +239,7 @@ bool reaches_walls(plan::PlanBox& line, const Ink& walls, double clear_mm, doubl
     if (black_at(walls, line.middle_m)) return false;
     constexpr double kIntoWall_mm = 0.3;
     // Length of line next to a wall on which black is ignored, because the wall may slant.
-    constexpr double kBesideWall_mm = 0.8;
+    constexpr double kNextToWall_mm = 0.8;
     const double half = line.half_m.x;
     const Vec2 across(-line.along.y, line.along.x);
     const auto is_clear = [&](const Vec2& way, double far) {
@@ -253,7 +253,7 @@ bool reaches_walls(plan::PlanBox& line, const Ink& walls, double clear_mm, doubl
         double free = 0.0, clear = 0.0;
         while (free <= half + clear_mm && !black_at(walls, line.middle_m + way * free)) free += kInkPixel_mm;
         const bool into_wall = free <= half + clear_mm;
-        const double most = into_wall ? free - kBesideWall_mm : half + clear_mm;
+        const double most = into_wall ? free - kNextToWall_mm : half + clear_mm;
         while (clear <= most && is_clear(way, clear)) clear += kInkPixel_mm;
         if (clear > most) end[side] = into_wall ? free + kIntoWall_mm : half;
         else if (into_wall) return false;
@@ -343,15 +343,15 @@ bool in_doorway(const plan::Storey& storey, const OnPaper& on_paper, const plan:
 }  // namespace
 
 std::optional<Vec2> place_of_sign(const plan::Storey& storey, std::size_t room, const OnPaper& on_paper,
-                                  const plan::RoomGrid& rooms, const Places& places, const Places& beside_things,
+                                  const plan::RoomGrid& rooms, const Places& places, const Places& things_apart,
                                   const Vec2& half_mm, const std::vector<plan::PlanBox>& others) {
     const plan::StoreyRoom& mine = storey.rooms[room];
     const double reach = glm::distance(on_paper(mine.min_m), on_paper(mine.max_m)) + 5.0;
     const auto box_at = [&](const Vec2& p) { return plan::PlanBox{p, {1.0, 0.0}, half_mm}; };
     // Greatest distance of a room's sign from the room's floor. The floor begins a walker's radius inside the walls.
     // Farther out, nobody would know to which room the sign belongs, even if no wall is between them.
-    constexpr double kBesideFloor_m = 0.35;
-    const Vec2 low = on_paper(mine.min_m - Vec2(kBesideFloor_m)), high = on_paper(mine.max_m + Vec2(kBesideFloor_m));
+    constexpr double kNextToFloor_m = 0.35;
+    const Vec2 low = on_paper(mine.min_m - Vec2(kNextToFloor_m)), high = on_paper(mine.max_m + Vec2(kNextToFloor_m));
     const auto is_mine = [&](const Vec2& p) {
         return p.x >= low.x && p.y >= low.y && p.x <= high.x && p.y <= high.y && room_on(rooms, p) == room;
     };
@@ -369,7 +369,7 @@ std::optional<Vec2> place_of_sign(const plan::Storey& storey, std::size_t room, 
                !is_near_any(box_at(p), others, kBetweenSigns_mm);
     };
     const Vec2 middle = on_paper(mine.middle_m);
-    std::optional<Vec2> place = beside_things.nearest_fit(middle, reach, box_at, in_room);
+    std::optional<Vec2> place = things_apart.nearest_fit(middle, reach, box_at, in_room);
     if (!place) place = places.nearest_fit(middle, reach, box_at, in_room);
     const std::vector<std::uint8_t>& beyond = storey.floor.beyond;
     reaches_over = std::find(beyond.begin(), beyond.end(), 1) != beyond.end();

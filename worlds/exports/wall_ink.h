@@ -91,7 +91,7 @@ inline constexpr double kBetweenSigns_mm = 6.4;
 // and outside doorways, at a distance from the `others`. The sign avoids objects if possible. Of all such places, the
 // function returns the one nearest to the middle of the room. `rooms`: see rooms_on.
 std::optional<Vec2> place_of_sign(const plan::Storey& storey, std::size_t room, const OnPaper& on_paper,
-                                  const plan::RoomGrid& rooms, const Places& places, const Places& beside_things,
+                                  const plan::RoomGrid& rooms, const Places& places, const Places& things_apart,
                                   const Vec2& half_mm, const std::vector<plan::PlanBox>& others);
 
 }  // namespace handrail::exports

@@ -10,7 +10,7 @@
 namespace handrail::floorplan {
 namespace {
 
-constexpr double kBesideRoom_m = 0.3, kLeastDoorway_m = 0.9, kStretch_m = 0.3, kLongestEdge_m = 20'000.0;
+constexpr double kNextToRoom_m = 0.3, kLeastDoorway_m = 0.9, kStretch_m = 0.3, kLongestEdge_m = 20'000.0;
 constexpr int kMostRounds = 20;
 
 struct Doorway {
@@ -28,7 +28,7 @@ void look_along(const FloorPlan& plan, const Vec2& from, const Vec2& to, std::si
     const auto at = [&](int place) { return from + (to - from) * (static_cast<double>(place) / places); };
     int begin = 0;
     for (int place = 0; place <= places + 1; ++place) {
-        if (place <= places && distance_to_outline(plan.spaces[corridor].rings, at(place)) < kBesideRoom_m) continue;
+        if (place <= places && distance_to_outline(plan.spaces[corridor].rings, at(place)) < kNextToRoom_m) continue;
         const double run_m = length_m * (place - 1 - begin) / places;
         if (place > begin && run_m > best.length_m) best = {0.5 * (at(begin) + at(place - 1)), run_m, corridor};
         begin = place + 1;
@@ -45,7 +45,7 @@ Aabb box_of(const std::vector<Ring>& rings) {
 bool has_door(const FloorPlan& plan, const PlanSpace& room, std::size_t level) {
     return std::any_of(plan.doors.begin(), plan.doors.end(), [&](const PlanDoor& door) {
         return std::find(door.levels.begin(), door.levels.end(), level) != door.levels.end() &&
-               distance_to_outline(room.rings, door.at) < kBesideRoom_m;
+               distance_to_outline(room.rings, door.at) < kNextToRoom_m;
     });
 }
 
@@ -74,7 +74,7 @@ PlanDoor doorway(const FloorPlan& plan, std::size_t space, std::size_t level, co
 // then, and repeats this until no further space gets one.
 int guess_doorways(FloorPlan& plan) {
     std::vector<Aabb> boxes;
-    for (const PlanSpace& space : plan.spaces) boxes.push_back(grown(box_of(space.rings), kBesideRoom_m));
+    for (const PlanSpace& space : plan.spaces) boxes.push_back(grown(box_of(space.rings), kNextToRoom_m));
     const BoxIndex index(boxes);
     std::vector<std::uint32_t> near;
     std::set<std::pair<std::size_t, std::size_t>> shut;  // spaces without a door, each with the level

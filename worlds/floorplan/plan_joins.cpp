@@ -70,12 +70,12 @@ void PlanBuilder::join_ways(const std::vector<FeatureId>& features, const std::v
             for (const std::uint32_t f : near)
                 if (is_on_floor(plan_.ways[floors[f]], at)) meet(way.line[end], way.floor_m[end], rooms[floors[f]]);
         }
-    std::set<std::pair<std::uint32_t, std::uint32_t>> told;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> reported;
     for (const PlanWay& way : plan_.ways)
         for (std::size_t i = 0; i < way.line.size() && !way.steps; ++i) {
             const std::vector<std::uint32_t>& here = rooms_at_point[key(way.line[i], way.floor_m[i])];
             for (std::size_t k = 1; k < here.size(); ++k) {
-                if (!told.emplace(here[0], here[k]).second) continue;
+                if (!reported.emplace(here[0], here[k]).second) continue;
                 StatedPortal portal;
                 portal.kind = StatedPortalKind::Opening;
                 portal.rooms = {here[0], here[k]};

@@ -433,25 +433,25 @@ void PlanBuilder::write_report() {
     report.guessed = plan_.guessed;
     report.simplified = plan_.simplified;
     report.left_out = plan_.left_out;
-    const auto told = [](std::vector<std::string>& list, std::string_view key, int count) {
+    const auto add_count = [](std::vector<std::string>& list, std::string_view key, int count) {
         if (count > 0) list.push_back(phrase(key, {{"n", count}}));
     };
     if (!plan_.spaces.empty() && !plan_.measures_known) {
         report.guessed.push_back(phrase("plan.guessed_heights", {{"height", plan_.storey_m}}));
         report.guessed.push_back(phrase("plan.guessed_walls", {{"thick", 100.0 * plan_.wall_m}}));
     }
-    told(report.guessed, "plan.guessed_widths", guessed_widths_);
-    told(report.guessed, "plan.guessed_stairs",
-         static_cast<int>(
-             std::count_if(wells_.begin(), wells_.end(), [](const auto& well) { return well.has_value(); })));
+    add_count(report.guessed, "plan.guessed_widths", guessed_widths_);
+    add_count(report.guessed, "plan.guessed_stairs",
+              static_cast<int>(
+                  std::count_if(wells_.begin(), wells_.end(), [](const auto& well) { return well.has_value(); })));
     if (widened_ > 0)
         report.simplified.push_back(phrase("plan.widened", {{"n", widened_}, {"least", 100.0 * kLeastWay_m}}));
-    told(report.simplified, "plan.moved_doors", moved_);
-    told(report.simplified, "plan.revolving", revolving_);
-    told(report.left_out, "plan.to_nowhere", to_nowhere_);
-    told(report.left_out, "plan.off_walls", off_walls_);
-    told(report.left_out, "plan.narrow", narrow_);
-    told(report.left_out, "plan.no_stairs", no_stairs_);
+    add_count(report.simplified, "plan.moved_doors", moved_);
+    add_count(report.simplified, "plan.revolving", revolving_);
+    add_count(report.left_out, "plan.to_nowhere", to_nowhere_);
+    add_count(report.left_out, "plan.off_walls", off_walls_);
+    add_count(report.left_out, "plan.narrow", narrow_);
+    add_count(report.left_out, "plan.no_stairs", no_stairs_);
     int alone = 0;
     std::string names;
     std::vector<bool> led_to(stated_->rooms.size(), false);

@@ -11,7 +11,7 @@
 namespace handrail::floorplan {
 namespace {
 
-constexpr double kStraight_m = 0.03, kBeside_m = 0.25, kNearWall_m = 0.35;
+constexpr double kStraight_m = 0.03, kNextTo_m = 0.25, kNearWall_m = 0.35;
 
 struct Edge {
     std::uint32_t a = 0, b = 0;  // the corners at the two ends, as indices
@@ -140,7 +140,7 @@ private:
         const Vec2 middle = 0.5 * (a + b);
         std::size_t one = edge.spaces[0], other = edge.spaces.size() > 1 ? edge.spaces[1] : kNoSpace;
         if (other == kNoSpace) {
-            const Vec2 side = left_of((b - a) / length) * kBeside_m;
+            const Vec2 side = left_of((b - a) / length) * kNextTo_m;
             const bool own_left = inside(plan_.spaces[one].rings, middle + side);
             other = space_at(own_left ? middle - side : middle + side, {one});
             // The adjoining space has walls of its own, so this edge needs none.
@@ -228,7 +228,7 @@ private:
             DoorGap gap;
             gap.door = d;
             gap.spaces = spaces_of(d);
-            const double wish = std::clamp(door.width_m.value_or(kDoorWide_m), kLeastWay_m, 8.0);
+            const double wanted_m = std::clamp(door.width_m.value_or(kDoorWide_m), kLeastWay_m, 8.0);
             runs.find({Vec3(door.at, -1.0), Vec3(door.at, 1.0)}, near);
             double best = 1e300;
             for (const std::uint32_t r : near) {
@@ -238,11 +238,11 @@ private:
                 const double t = glm::dot(off, along), away = std::abs(cross(along, off));
                 if (away > kNearWall_m || t < -kNearWall_m || t > length + kNearWall_m) continue;
                 if (door.along && std::abs(cross(along, *door.along)) > 0.3) continue;
-                const double room = length - 2.0 * corner_m_, width = std::min(wish, room);
+                const double room = length - 2.0 * corner_m_, width = std::min(wanted_m, room);
                 const double at = std::clamp(t, corner_m_ + 0.5 * width,
                                              std::max(length - corner_m_ - 0.5 * width, corner_m_ + 0.5 * width));
                 double score = 4.0 * away + 2.0 * std::abs(at - t) + (width < kLeastWay_m ? 20.0 : 0.0) +
-                               (wish - std::max(width, 0.0)) - 1e-3 * std::min(length, 100.0);
+                               (wanted_m - std::max(width, 0.0)) - 1e-3 * std::min(length, 100.0);
                 for (const std::size_t s : gap.spaces)
                     if (std::find(run_spaces_[r].begin(), run_spaces_[r].end(), s) == run_spaces_[r].end())
                         score += 1.0;
@@ -256,10 +256,10 @@ private:
             }
             if (!gap.in_wall) {
                 gap.at = door.at;
-                gap.width_m = wish;
+                gap.width_m = wanted_m;
                 if (door.along) gap.along = *door.along;
             }
-            const Vec2 side = left_of(gap.along) * (0.5 * plan_.wall_m + kBeside_m);
+            const Vec2 side = left_of(gap.along) * (0.5 * plan_.wall_m + kNextTo_m);
             gap.sides = {space_at(gap.at + side), space_at(gap.at - side)};
             if (gap.sides[0] == gap.sides[1]) gap.sides[1] = kNoSpace;
             if (gap.spaces.size() < 2)

@@ -108,7 +108,7 @@ DoorTrial DoorTrials::walk(const WallGap& gap, double x_m, bool back) const {
                 floor_m = std::max(floor_m, one.high_m);
         if (floor_m == -1e300) return {DoorTrialEnd::NoFloor, {}, 0.0};
         feet_m = floor_m;
-        DoorTrial met{DoorTrialEnd::InTheWay, {}, 0.0};
+        DoorTrial met{DoorTrialEnd::Blocking, {}, 0.0};
         for (const Stretch& one : here)
             if (one.high_m > feet_m + kOnlyTouch_m && one.low_m < feet_m + kBodyTall_m - kOnlyTouch_m) {
                 met.lines.push_back(one.line);
@@ -145,7 +145,7 @@ DoorTrial DoorTrials::try_door(const WallGap& gap) const {
         if (trial.end == DoorTrialEnd::Passed) return {};
         if (aside == 0.0) first = std::move(trial);
     }
-    if (first.end == DoorTrialEnd::InTheWay && height_m < kBodyTall_m) first.end = DoorTrialEnd::Small;
+    if (first.end == DoorTrialEnd::Blocking && height_m < kBodyTall_m) first.end = DoorTrialEnd::Small;
     return first;
 }
 

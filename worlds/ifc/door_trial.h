@@ -15,7 +15,7 @@ namespace handrail::ifc {
 // The result of a trial: Passed, or the reason why the walker cannot get through.
 enum class DoorTrialEnd : std::uint8_t {
     Passed,
-    InTheWay,  // an obstacle is in the walker's way, although the opening is large enough
+    Blocking,  // an obstacle is in the walker's way, although the opening is large enough
     Small,     // the opening is narrower or lower than the walker, or it is too deep
     Step,      // a step is higher than the walker can climb
     NoFloor,   // there is no floor on one side of the door, or in the doorway

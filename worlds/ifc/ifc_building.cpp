@@ -572,7 +572,7 @@ private:
 
 // Returns the space that a walker needs to pass through a gap: 0.5 m wide and up to 1.8 m tall, above a threshold. With
 // `standing`, the walker may stand on the threshold.
-std::optional<ConvexSolid> way_through(const WallGap& gap, bool standing = false) {
+std::optional<ConvexSolid> direction_through(const WallGap& gap, bool standing = false) {
     constexpr double kWide_m = 0.5, kTall_m = 1.8, kThreshold_m = 0.2, kBeyond_m = 0.1;
     const double middle = 0.5 * (gap.least_m.x + gap.most_m.x),
                  half = 0.5 * std::min(kWide_m, gap.most_m.x - gap.least_m.x - 0.02);
@@ -606,7 +606,7 @@ std::vector<std::uint32_t> blocking(const IfcBuilding& building, const ConvexSol
 }  // namespace
 
 bool can_pass(const IfcBuilding& building, const WallGap& gap) {
-    const std::optional<ConvexSolid> body = way_through(gap);
+    const std::optional<ConvexSolid> body = direction_through(gap);
     return body && blocking(building, *body).empty();
 }
 
@@ -638,7 +638,7 @@ double sky_side(const IfcBuilding& building, const WallGap& gap) {
 
 std::vector<std::string> free_the_way(IfcBuilding& building, const WallGap& gap) {
     std::vector<std::string> cut;
-    const std::optional<ConvexSolid> body = way_through(gap, true);
+    const std::optional<ConvexSolid> body = direction_through(gap, true);
     if (!body) return cut;
     for (const std::uint32_t i : blocking(building, *body)) {
         IfcPart& part = building.parts[i];

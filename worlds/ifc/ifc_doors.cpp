@@ -51,7 +51,7 @@ std::vector<Edge> edges_of(const StatedRoom& room) {
     return edges;
 }
 
-constexpr double kLeastBorder_m = 0.5, kFarthestBorder_m = 200.0, kBesideBorder_m = 0.05, kOneFloor_m = 0.3;
+constexpr double kLeastBorder_m = 0.5, kFarthestBorder_m = 200.0, kNextToBorder_m = 0.05, kOneFloor_m = 0.3;
 constexpr double kBorderStep_m = 0.25, kBorderBody_m = 0.6;
 
 // Returns the part of `edge` along which `other` runs. Nothing if the two edges share no border.
@@ -62,7 +62,7 @@ std::optional<Reach> shared_stretch(const Edge& edge, const Edge& other) {
     const Vec2 p = other.from - edge.from, q = other.to - edge.from;
     const Reach shared{std::max(0.0, std::min(glm::dot(p, way), glm::dot(q, way))),
                        std::min(length, std::max(glm::dot(p, way), glm::dot(q, way)))};
-    if (std::abs(glm::dot(p, left)) > kBesideBorder_m || std::abs(glm::dot(q, left)) > kBesideBorder_m ||
+    if (std::abs(glm::dot(p, left)) > kNextToBorder_m || std::abs(glm::dot(q, left)) > kNextToBorder_m ||
         shared.most - shared.least < kLeastBorder_m)
         return std::nullopt;
     return shared;
@@ -77,8 +77,8 @@ std::optional<Vec3> way_across(const IfcBuilding& building, const Edge& edge, co
     const double reach_m = std::max(0.5 * (shared.most - shared.least - kBorderBody_m), 0.0);
     WallGap gap;
     gap.axes = {{way.x, way.y, 0.0}, {left.x, left.y, 0.0}, {0.0, 0.0, 1.0}, {}};
-    gap.least_m = {-0.5 * kBorderBody_m, -kBesideBorder_m, 0.0};
-    gap.most_m = {0.5 * kBorderBody_m, kBesideBorder_m, height_m};
+    gap.least_m = {-0.5 * kBorderBody_m, -kNextToBorder_m, 0.0};
+    gap.most_m = {0.5 * kBorderBody_m, kNextToBorder_m, height_m};
     for (double off = 0.0; off <= reach_m; off += kBorderStep_m)
         for (const double at : {middle_m - off, middle_m + off}) {
             const Vec2 place = edge.from + way * at;
@@ -209,7 +209,7 @@ StatedPortal IfcScene::portal_of(std::size_t i, const WallGap& gap) {
     portal.width_m = gap.most_m.x - gap.least_m.x;
     portal.height_m = gap.most_m.z - gap.least_m.z;
     std::vector<std::uint32_t> beside, stated;
-    for (const std::uint32_t room : rooms_beside(rooms_, gap))
+    for (const std::uint32_t room : neighbouring_rooms(rooms_, gap))
         if (room != kNotStated && std::find(beside.begin(), beside.end(), room) == beside.end()) beside.push_back(room);
     if (const auto found = relations_.spaces_at.find(part.id); found != relations_.spaces_at.end())
         for (const std::uint64_t space : found->second)
@@ -406,7 +406,7 @@ void IfcScene::add_starts() {
         const StatedPortal& portal = stated_->portals[door.portal];
         const auto gap = building_.gaps.find(door.part);
         if (gap == building_.gaps.end()) continue;
-        const std::array<std::uint32_t, 2> beside = rooms_beside(rooms_, gap->second);
+        const std::array<std::uint32_t, 2> beside = neighbouring_rooms(rooms_, gap->second);
         const auto sky = sky_side_.find(door.part);
         const Vec3 out = gap->second.axes.y * (sky != sky_side_.end()    ? sky->second
                                                : beside[0] == kNotStated ? -1.0

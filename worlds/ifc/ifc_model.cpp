@@ -132,11 +132,11 @@ std::optional<GridCrossing> crossing_of(const std::vector<Vec2>& a, const std::v
 }
 
 // Returns right-handed unit axes from a z axis and a preferred x axis.
-Frame frame_of(const Vec3& z, const Vec3& wish_x, const Vec3& origin_m) {
+Frame frame_of(const Vec3& z, const Vec3& wanted_x, const Vec3& origin_m) {
     Frame frame;
     frame.origin_m = origin_m;
     frame.z = z;
-    Vec3 x = wish_x - z * glm::dot(wish_x, z);
+    Vec3 x = wanted_x - z * glm::dot(wanted_x, z);
     frame.x = glm::length(x) > 1e-9 ? x / glm::length(x) : any_perpendicular(z);
     frame.y = glm::cross(frame.z, frame.x);
     return frame;

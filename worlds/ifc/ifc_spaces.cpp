@@ -166,7 +166,7 @@ std::uint32_t RoomsByPlace::first_at(const Vec3& at_m) const {
     return first == found.end() ? kNotStated : *first;
 }
 
-std::array<std::uint32_t, 2> rooms_beside(const RoomsByPlace& rooms, const WallGap& gap) {
+std::array<std::uint32_t, 2> neighbouring_rooms(const RoomsByPlace& rooms, const WallGap& gap) {
     constexpr double kNear_m = 0.15, kFar_m = 1.2, kStep_m = 0.15, kHeight_m = 0.9;
     std::array<std::uint32_t, 2> found{kNotStated, kNotStated};
     const double middle = 0.5 * (gap.least_m.x + gap.most_m.x),

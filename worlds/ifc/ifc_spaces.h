@@ -26,6 +26,6 @@ private:
 
 // Returns the rooms on both sides of a gap: first the one behind the gap (-y), then the one in front of it (+y). Each
 // is searched from 0.15 to 1.2 m from the middle of the gap, and is kNotStated if there is none.
-std::array<std::uint32_t, 2> rooms_beside(const RoomsByPlace& rooms, const WallGap& gap);
+std::array<std::uint32_t, 2> neighbouring_rooms(const RoomsByPlace& rooms, const WallGap& gap);
 
 }  // namespace handrail::ifc

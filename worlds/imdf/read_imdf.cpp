@@ -52,9 +52,9 @@ std::string text(const Json& value) {
 std::string label(const Json& value) {
     if (value.is_string()) return text(value);
     if (!value.is_object()) return {};
-    for (const std::string& wish : {spoken_language(), std::string("en")})
+    for (const std::string& wanted : {spoken_language(), std::string("en")})
         for (const auto& [language, words] : value.items())
-            if (language.substr(0, language.find('-')) == wish && !text(words).empty()) return text(words);
+            if (language.substr(0, language.find('-')) == wanted && !text(words).empty()) return text(words);
     for (const auto& [language, words] : value.items())
         if (!text(words).empty()) return text(words);
     return {};
@@ -131,11 +131,11 @@ public:
         if (plan_.spaces.empty()) return fail(phrase("imdf.no_units"), file_name);
         add_openings();
         add_things();
-        const auto tell = [&](std::string_view key, int count) {
+        const auto warn_count = [&](std::string_view key, int count) {
             if (count > 0) plan_.warnings.emplace_back(phrase(key, {{"n", count}}), phrase("osm.then_left_out"));
         };
-        tell("imdf.damaged_shapes", damaged_);
-        tell("imdf.no_level", no_level_);
+        warn_count("imdf.damaged_shapes", damaged_);
+        warn_count("imdf.no_level", no_level_);
         if (plan_.doors.empty()) plan_.left_out.push_back(phrase("imdf.no_openings"));
         if (const int guessed = floorplan::guess_doorways(plan_); guessed > 0)
             plan_.guessed.push_back(phrase("imdf.guessed_doorways", {{"n", guessed}}));
@@ -148,14 +148,14 @@ private:
     // If the options name a building, selects that building and its name.
     Result<void> choose_building(const std::string& file_name) {
         if (options_.building.empty()) return {};
-        const std::string wish = lower_ascii(options_.building);
+        const std::string wanted = lower_ascii(options_.building);
         std::string names;
         int number = 0;
         for (const Json& building : features_["building"]) {
             const std::string id = text(at(building, "id")), name = building_names_[id];
             names += (names.empty() ? "" : ", ") + std::to_string(++number) + " " + name;
             if (wanted_building_.empty() &&
-                (wish == std::to_string(number) || lower_ascii(name).find(wish) != std::string::npos)) {
+                (wanted == std::to_string(number) || lower_ascii(name).find(wanted) != std::string::npos)) {
                 wanted_building_ = id;
                 plan_.name = name;
             }

@@ -135,14 +135,14 @@ DirectionsPlanner::DirectionsPlanner(const BlindGround& ground, double step_m) :
         }
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    first_beside_.assign(middles.size() + 1, 0);
+    first_neighbour_.assign(middles.size() + 1, 0);
     for (const std::uint64_t pair : pairs) {
         const auto a = static_cast<std::uint32_t>(pair >> 32), b = static_cast<std::uint32_t>(pair);
-        ++first_beside_[a + 1];
-        beside_.push_back(b);
-        beside_m_.push_back(static_cast<float>(glm::length(middles[a] - middles[b])));
+        ++first_neighbour_[a + 1];
+        neighbours_.push_back(b);
+        neighbour_m_.push_back(static_cast<float>(glm::length(middles[a] - middles[b])));
     }
-    for (std::size_t i = 1; i < first_beside_.size(); ++i) first_beside_[i] += first_beside_[i - 1];
+    for (std::size_t i = 1; i < first_neighbour_.size(); ++i) first_neighbour_[i] += first_neighbour_[i - 1];
 }
 
 // Returns true if a walker in the direction `notch` goes squarely through the door. A leaf is thinner along the
@@ -159,7 +159,7 @@ bool DirectionsPlanner::head_on(std::uint32_t door, int notch) const {
 // or if it is much longer than the distance from the piece of `until`.
 std::vector<float> DirectionsPlanner::flood(const DirectionsGoal& goal, std::uint32_t until) const {
     constexpr float kFar = std::numeric_limits<float>::infinity(), kBeyond_m = 8.0F;
-    std::vector<float> far(first_beside_.size() - 1, kFar);
+    std::vector<float> far(first_neighbour_.size() - 1, kFar);
     using Entry = std::pair<float, std::uint32_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
     for (std::uint32_t s = 0; s < goal.size(); ++s)
@@ -174,10 +174,10 @@ std::vector<float> DirectionsPlanner::flood(const DirectionsGoal& goal, std::uin
         if (so_far > far[here]) continue;
         if (so_far > enough) break;
         if (here == piece_of_span_[until]) enough = so_far + kBeyond_m;
-        for (std::uint32_t k = first_beside_[here]; k < first_beside_[here + 1]; ++k)
-            if (const float there = so_far + beside_m_[k]; there < far[beside_[k]]) {
-                far[beside_[k]] = there;
-                open.emplace(there, beside_[k]);
+        for (std::uint32_t k = first_neighbour_[here]; k < first_neighbour_[here + 1]; ++k)
+            if (const float there = so_far + neighbour_m_[k]; there < far[neighbours_[k]]) {
+                far[neighbours_[k]] = there;
+                open.emplace(there, neighbours_[k]);
             }
     }
     return far;
@@ -200,8 +200,8 @@ std::vector<float> DirectionsPlanner::milestones(const std::vector<float>& far_m
         if (in_narrow && !narrow) left_m.push_back(far_m[here]);
         in_narrow = narrow;
         std::uint32_t next = here;
-        for (std::uint32_t k = first_beside_[here]; k < first_beside_[here + 1]; ++k)
-            if (far_m[beside_[k]] < far_m[next]) next = beside_[k];
+        for (std::uint32_t k = first_neighbour_[here]; k < first_neighbour_[here + 1]; ++k)
+            if (far_m[neighbours_[k]] < far_m[next]) next = neighbours_[k];
         if (next == here) break;
         here = next;
     }

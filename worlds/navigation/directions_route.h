@@ -98,8 +98,8 @@ private:
     // The pieces of floor, four cells wide, over which the planner computes walking distances: the piece of each span,
     // a span of each piece, the neighbours of each piece, and the distances between their middles.
     std::vector<std::uint32_t> piece_of_span_, span_of_piece_;
-    std::vector<std::uint32_t> first_beside_, beside_;
-    std::vector<float> beside_m_;
+    std::vector<std::uint32_t> first_neighbour_, neighbours_;
+    std::vector<float> neighbour_m_;
 };
 
 // Returns the spans that are a little inside a room, and inside its outline if the file states one. If there are no

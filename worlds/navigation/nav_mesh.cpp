@@ -54,8 +54,8 @@ unsigned char area_of(const WalkLink& link) {
     return link.kind == PassageKind::Lift ? kLiftArea : kTeleportArea;
 }
 
-float cost_of_area(unsigned char area, RouteWish wish) {
-    if (wish == RouteWish::Shortest) return 1.0F;
+float cost_of_area(unsigned char area, RoutePreference preference) {
+    if (preference == RoutePreference::Shortest) return 1.0F;
     switch (area) {
         case kNearWall:
             return 1.5F;
@@ -107,16 +107,16 @@ struct TileOfMesh;
 
 }  // namespace
 
-double cost_per_m(const WalkSpan& span, RouteWish wish) {
-    if (wish == RouteWish::Shortest) return 1.0;
+double cost_per_m(const WalkSpan& span, RoutePreference preference) {
+    if (preference == RoutePreference::Shortest) return 1.0;
     const double clearance_m = static_cast<double>(span.clearance_m);
     const double wall = 2.0 * std::max(0.0, 1.0 - clearance_m / kWallComfort_m),
                  edge = span.near_edge ? 4.0 * std::max(0.0, 1.0 - clearance_m / kEdgeComfort_m) : 0.0;
     return 1.0 + std::max(wall, edge) + (span.liquid ? 3.0 : 0.0);
 }
 
-double NavMesh::cost_of(const WalkLink& link, double length_m, RouteWish wish) {
-    return length_m * static_cast<double>(cost_of_area(area_of(link), wish));
+double NavMesh::cost_of(const WalkLink& link, double length_m, RoutePreference preference) {
+    return length_m * static_cast<double>(cost_of_area(area_of(link), preference));
 }
 
 struct NavMesh::Parts {
@@ -419,11 +419,12 @@ bool NavMesh::Parts::add(const TileOfMesh& tile) {
     return true;
 }
 
-std::optional<MeshPath> NavMesh::path(std::uint32_t from, std::uint32_t to, RouteWish wish, bool over_links) {
+std::optional<MeshPath> NavMesh::path(std::uint32_t from, std::uint32_t to, RoutePreference preference,
+                                      bool over_links) {
     Parts& p = *parts_;
     dtQueryFilter filter;
     for (const unsigned char area : {kOpen, kNearWall, kNearEdge, kWading, kDropArea, kLiftArea, kTeleportArea})
-        filter.setAreaCost(area, cost_of_area(area, wish));
+        filter.setAreaCost(area, cost_of_area(area, preference));
     if (!over_links) filter.setExcludeFlags(kOverLink);
 
     const auto locate = [&](std::uint32_t span, float* at, dtPolyRef& ref, float* on) {

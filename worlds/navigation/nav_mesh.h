@@ -12,7 +12,7 @@
 namespace handrail::navigation {
 
 // Returns the cost of a metre over this span; 1 is the cost of comfortable floor.
-double cost_per_m(const WalkSpan& span, RouteWish wish);
+double cost_per_m(const WalkSpan& span, RoutePreference preference);
 
 // A path over the mesh. Straight lines or links of WalkSpace::links join its corners.
 struct MeshPath {
@@ -36,9 +36,9 @@ public:
     // any polygon. `over_links`: the path may use links. Without links the path is closer to the shortest one, because
     // Detour can then look straight ahead. Detour ignores heights when it does that, so it would confuse the two ends
     // of a link.
-    std::optional<MeshPath> path(std::uint32_t from, std::uint32_t to, RouteWish wish, bool over_links);
+    std::optional<MeshPath> path(std::uint32_t from, std::uint32_t to, RoutePreference preference, bool over_links);
     // Returns the cost of using a link.
-    static double cost_of(const WalkLink& link, double length_m, RouteWish wish);
+    static double cost_of(const WalkLink& link, double length_m, RoutePreference preference);
     int polygons() const;
     std::size_t bytes() const;
     // Returns the number of links that no path can use, because their ends are more than a tile (64 m) apart.

@@ -15,12 +15,12 @@ namespace {
 // Greatest distance from a requested place, such as an object, to the nearest place where people can stand.
 constexpr double kGoalReach_m = 3.0;
 constexpr double kStartReach_m = 1.0;
-constexpr double kNarrow_m = 0.25;     // floor with less clearance is narrow
-constexpr double kStairsTold_m = 0.4;  // a passage over stairs with a smaller rise is not announced
-constexpr double kOneFlight_m = 1.0;   // two passages over stairs with a smaller distance between them are one passage
+constexpr double kNarrow_m = 0.25;          // floor with less clearance is narrow
+constexpr double kStairsAnnounced_m = 0.4;  // a passage over stairs with a smaller rise is not announced
+constexpr double kOneFlight_m = 1.0;  // two passages over stairs with a smaller distance between them are one passage
 constexpr double kGameCell_m = 0.1, kBuildingCell_m = 0.05;
 constexpr double kThroughLeaf_per_m = 30.0;  // cost of each metre through a leaf; worth about 15 metres of detour
-constexpr double kBesideLeaf_per_m = 3.0;
+constexpr double kNextToLeaf_per_m = 3.0;
 // Distance before and after a leaf within which a route may change to go around it.
 constexpr double kRoundLeaf_m = 3.0;
 constexpr double kOutOfLeaf_m = 1.0;
@@ -28,7 +28,7 @@ constexpr double kMostGameDrop_m = 20.0, kMostPlannedDrop_m = 1.0;
 
 }  // namespace
 
-WalkerMeasures walk_body(const Scene& scene, double radius_m, double height_m, double step_up_m) {
+WalkerMeasures walker_measures(const Scene& scene, double radius_m, double height_m, double step_up_m) {
     WalkerMeasures body;
     body.radius_m = radius_m;
     body.height_m = height_m;
@@ -167,8 +167,8 @@ bool Navigation::meets_blocked(const Way& way) const {
 // Plans over the cells, on foot, around the blocked boxes. If no route leads to the goal, sets `to` to the nearest
 // place that the walker can reach.
 std::optional<Navigation::Way> Navigation::round_blocked(std::uint32_t from, std::uint32_t& to, const Vec3& to_m,
-                                                         RouteWish wish) const {
-    std::vector<std::uint32_t> cells = over_cells(from, to, wish);
+                                                         RoutePreference preference) const {
+    std::vector<std::uint32_t> cells = over_cells(from, to, preference);
     if (cells.empty()) {
         std::vector<bool> seen(space_.spans.size(), false);
         std::vector<std::uint32_t> open{from};
@@ -185,27 +185,27 @@ std::optional<Navigation::Way> Navigation::round_blocked(std::uint32_t from, std
                     open.push_back(n);
                 }
         }
-        cells = over_cells(from, to, wish);
+        cells = over_cells(from, to, preference);
         if (cells.empty()) return std::nullopt;
     }
     Way way;
     for (const std::uint32_t s : cells) way.legs_m.back().push_back(space_.place_m(s));
-    finish(way, to, wish);
+    finish(way, to, preference);
     return way;
 }
 
-double Navigation::span_cost(std::uint32_t span, RouteWish wish) const {
+double Navigation::span_cost(std::uint32_t span, RoutePreference preference) const {
     if (!blocked_.empty() && blocked_[span]) return std::numeric_limits<double>::infinity();
-    const double plain = cost_per_m(space_.spans[span], wish);
+    const double plain = cost_per_m(space_.spans[span], preference);
     if (leaf_marks_.empty() || leaf_marks_[span] == kNoLeaf) return plain;
-    return plain + (leaf_marks_[span] == kInLeaf ? kThroughLeaf_per_m : kBesideLeaf_per_m);
+    return plain + (leaf_marks_[span] == kInLeaf ? kThroughLeaf_per_m : kNextToLeaf_per_m);
 }
 
-double Navigation::cost(const Vec3& from_m, const Vec3& to_m, RouteWish wish) const {
+double Navigation::cost(const Vec3& from_m, const Vec3& to_m, RoutePreference preference) const {
     double sum = 0.0;
     std::size_t count = 0;
     if (!space_.straight(from_m, to_m, [&](std::uint32_t s) {
-            sum += span_cost(s, wish);
+            sum += span_cost(s, preference);
             ++count;
         }))
         return std::numeric_limits<double>::infinity();
@@ -214,7 +214,8 @@ double Navigation::cost(const Vec3& from_m, const Vec3& to_m, RouteWish wish) co
 
 // Plans from cell to cell. This is used if a leg of a mesh path is not walkable, because the mesh simplifies outlines a
 // little.
-std::vector<std::uint32_t> Navigation::over_cells(std::uint32_t from, std::uint32_t to, RouteWish wish) const {
+std::vector<std::uint32_t> Navigation::over_cells(std::uint32_t from, std::uint32_t to,
+                                                  RoutePreference preference) const {
     std::vector<float>& best = search_.best;
     std::vector<std::uint32_t>&came = search_.came, &touched = search_.touched;
     if (best.empty()) {
@@ -237,7 +238,7 @@ std::vector<std::uint32_t> Navigation::over_cells(std::uint32_t from, std::uint3
         const auto go = [&](std::uint32_t n) {
             if (n == kNothing) return;
             const Vec3 there = space_.place_m(n);
-            const double through = static_cast<double>(best[here]) + glm::length(there - at) * span_cost(n, wish);
+            const double through = static_cast<double>(best[here]) + glm::length(there - at) * span_cost(n, preference);
             if (!(static_cast<float>(through) < best[n])) return;
             if (std::isinf(best[n])) touched.push_back(n);
             best[n] = static_cast<float>(through);
@@ -313,7 +314,7 @@ bool Navigation::meets_leaf(std::span<const Vec3> points_m) const { return in_le
 
 // Replaces the part of the route that leads through leaves, together with a little before and after it. The new part is
 // planned from cell to cell, because the mesh does not know leaves.
-void Navigation::go_round_leaves(std::vector<Vec3>& points_m, RouteWish wish) const {
+void Navigation::go_round_leaves(std::vector<Vec3>& points_m, RoutePreference preference) const {
     const Stretch across = in_leaves(points_m);
     if (across.to_m < 0.0) return;
     const double from_m = across.from_m - kRoundLeaf_m, to_m = across.to_m + kRoundLeaf_m;
@@ -323,7 +324,7 @@ void Navigation::go_round_leaves(std::vector<Vec3>& points_m, RouteWish wish) co
     };
     const std::uint32_t from = span_at(from_m), to = span_at(to_m);
     if (from == kNothing || to == kNothing) return;
-    const std::vector<std::uint32_t> cells = over_cells(from, to, wish);
+    const std::vector<std::uint32_t> cells = over_cells(from, to, preference);
     if (cells.empty()) return;
     std::vector<Vec3> round;
     double along_m = 0.0;
@@ -341,11 +342,11 @@ void Navigation::go_round_leaves(std::vector<Vec3>& points_m, RouteWish wish) co
 }
 
 // Leaves out points if the straight line between their neighbours costs no more.
-void Navigation::straighten(std::vector<Vec3>& points_m, RouteWish wish) const {
+void Navigation::straighten(std::vector<Vec3>& points_m, RoutePreference preference) const {
     if (points_m.size() < 3) return;
     std::vector<double> so_far{0.0};
     for (std::size_t i = 1; i < points_m.size(); ++i) {
-        double leg = cost(points_m[i - 1], points_m[i], wish);
+        double leg = cost(points_m[i - 1], points_m[i], preference);
         if (!std::isfinite(leg)) leg = 4.0 * glm::length(points_m[i] - points_m[i - 1]);
         so_far.push_back(so_far.back() + leg);
     }
@@ -353,7 +354,7 @@ void Navigation::straighten(std::vector<Vec3>& points_m, RouteWish wish) const {
     for (std::size_t at = 0; at + 1 < points_m.size();) {
         std::size_t to = at + 1;
         for (std::size_t far = points_m.size() - 1; far > at + 1; --far)
-            if (cost(points_m[at], points_m[far], wish) <= so_far[far] - so_far[at] + 1e-6) {
+            if (cost(points_m[at], points_m[far], preference) <= so_far[far] - so_far[at] + 1e-6) {
                 to = far;
                 break;
             }
@@ -365,8 +366,8 @@ void Navigation::straighten(std::vector<Vec3>& points_m, RouteWish wish) const {
 
 // Moves the turning points of a route to places with more clearance, if that does not make the route worse. The route
 // then leads through the middle of doors, and keeps a distance from corners.
-void Navigation::make_way(std::vector<Vec3>& points_m, RouteWish wish) const {
-    if (wish == RouteWish::Shortest || points_m.size() < 2) return;
+void Navigation::keep_clear(std::vector<Vec3>& points_m, RoutePreference preference) const {
+    if (preference == RoutePreference::Shortest || points_m.size() < 2) return;
     // Adds a turning point in each narrow place.
     std::vector<Vec3> more{points_m.front()};
     for (std::size_t i = 1; i < points_m.size(); ++i) {
@@ -386,14 +387,14 @@ void Navigation::make_way(std::vector<Vec3>& points_m, RouteWish wish) const {
         bool moved = false;
         for (std::size_t i = 1; i + 1 < more.size(); ++i)
             for (const double by : {0.3, 0.1, space_.cell_m}) {
-                double best = cost(more[i - 1], more[i], wish) + cost(more[i], more[i + 1], wish);
+                double best = cost(more[i - 1], more[i], preference) + cost(more[i], more[i + 1], preference);
                 Vec3 to = more[i];
                 for (int way = 0; way < 8; ++way) {
                     const Vec3 aim = more[i] + forward_of_heading(way * kPi / 4.0) * by;
                     const std::uint32_t s = space_.at(aim);
                     if (s == kNothing) continue;
                     const Vec3 place = space_.place_m(s);
-                    const double there = cost(more[i - 1], place, wish) + cost(place, more[i + 1], wish);
+                    const double there = cost(more[i - 1], place, preference) + cost(place, more[i + 1], preference);
                     if (there < best - 1e-6) {
                         best = there;
                         to = place;
@@ -405,11 +406,11 @@ void Navigation::make_way(std::vector<Vec3>& points_m, RouteWish wish) const {
         if (!moved) break;
     }
     points_m = std::move(more);
-    straighten(points_m, wish);
+    straighten(points_m, preference);
 }
 
 // Adds to the route the doors and stairs on a walked leg, and the points where these stairs begin and end.
-void Navigation::tell_passages(Route& route, const std::vector<Vec3>& leg) const {
+void Navigation::add_passages(Route& route, const std::vector<Vec3>& leg) const {
     std::uint32_t door = kNothing;
     bool on_stairs = false;
     std::uint32_t stairs_from = kNothing;
@@ -479,9 +480,9 @@ void Navigation::tell_passages(Route& route, const std::vector<Vec3>& leg) const
 }
 
 // Finds the path over the mesh and moves its corners onto the floor.
-std::optional<Navigation::Way> Navigation::over_mesh(std::uint32_t from, std::uint32_t to, RouteWish wish,
+std::optional<Navigation::Way> Navigation::over_mesh(std::uint32_t from, std::uint32_t to, RoutePreference preference,
                                                      bool over_links) {
-    const std::optional<MeshPath> found = mesh_ ? mesh_->path(from, to, wish, over_links) : std::nullopt;
+    const std::optional<MeshPath> found = mesh_ ? mesh_->path(from, to, preference, over_links) : std::nullopt;
     if (!found || !found->complete) return std::nullopt;
     Way way;
     for (std::size_t i = 0; i < found->corners.size(); ++i) {
@@ -508,7 +509,7 @@ std::optional<Navigation::Way> Navigation::over_mesh(std::uint32_t from, std::ui
 }
 
 // Makes every leg walkable, leads it around leaves, straightens it and moves it away from walls.
-void Navigation::finish(Way& way, std::uint32_t to, RouteWish wish) const {
+void Navigation::finish(Way& way, std::uint32_t to, RoutePreference preference) const {
     for (std::vector<Vec3>& leg : way.legs_m) {
         if (leg.empty()) leg.push_back(space_.place_m(to));
         std::vector<Vec3> walked{leg.front()};
@@ -517,40 +518,41 @@ void Navigation::finish(Way& way, std::uint32_t to, RouteWish wish) const {
                 const std::uint32_t a = space_.nearest(leg[k - 1], space_.cell_m, 0.1, 0.1),
                                     b = space_.nearest(leg[k], space_.cell_m, 0.1, 0.1);
                 if (a != kNothing && b != kNothing)
-                    for (const std::uint32_t s : over_cells(a, b, wish)) walked.push_back(space_.place_m(s));
+                    for (const std::uint32_t s : over_cells(a, b, preference)) walked.push_back(space_.place_m(s));
             }
             walked.push_back(leg[k]);
         }
-        go_round_leaves(walked, wish);
-        straighten(walked, wish);
-        make_way(walked, wish);
+        go_round_leaves(walked, preference);
+        straighten(walked, preference);
+        keep_clear(walked, preference);
         leg = std::move(walked);
     }
 }
 
-double Navigation::cost(const Way& way, RouteWish wish) const {
+double Navigation::cost(const Way& way, RoutePreference preference) const {
     double sum = 0.0;
     for (const std::vector<Vec3>& leg : way.legs_m)
-        for (std::size_t k = 1; k < leg.size(); ++k) sum += cost(leg[k - 1], leg[k], wish);
+        for (std::size_t k = 1; k < leg.size(); ++k) sum += cost(leg[k - 1], leg[k], preference);
     for (std::size_t i = 0; i < way.links.size(); ++i)
         sum += NavMesh::cost_of(space_.links[way.links[i]],
-                                glm::length(way.legs_m[i + 1].front() - way.legs_m[i].back()), wish);
+                                glm::length(way.legs_m[i + 1].front() - way.legs_m[i].back()), preference);
     return sum;
 }
 
 // If the goal can be reached on foot and also over a link, for example by stairs and by a lift, compares both complete
 // routes and returns the cheaper one.
-std::optional<Navigation::Way> Navigation::best_over_mesh(std::uint32_t from, std::uint32_t to, RouteWish wish) {
+std::optional<Navigation::Way> Navigation::best_over_mesh(std::uint32_t from, std::uint32_t to,
+                                                          RoutePreference preference) {
     std::optional<Way> foot, linked;
-    if (piece_[from] == piece_[to]) foot = over_mesh(from, to, wish, false);
-    if (!space_.links.empty() && wish != RouteWish::OnFoot) linked = over_mesh(from, to, wish, true);
+    if (piece_[from] == piece_[to]) foot = over_mesh(from, to, preference, false);
+    if (!space_.links.empty() && preference != RoutePreference::OnFoot) linked = over_mesh(from, to, preference, true);
     if (linked && linked->links.empty() && foot) linked.reset();
-    if (foot) finish(*foot, to, wish);
-    if (linked) finish(*linked, to, wish);
-    return foot && !(linked && cost(*linked, wish) < cost(*foot, wish)) ? foot : linked;
+    if (foot) finish(*foot, to, preference);
+    if (linked) finish(*linked, to, preference);
+    return foot && !(linked && cost(*linked, preference) < cost(*foot, preference)) ? foot : linked;
 }
 
-Route Navigation::plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish) {
+Route Navigation::plan(const Vec3& from_m, const Vec3& to_m, RoutePreference preference) {
     Route route;
     const std::uint32_t from = span_from(from_m);
     if (from == kNothing || !is_finite(to_m)) return route;
@@ -571,22 +573,23 @@ Route Navigation::plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish) {
     if (to != kNothing) to = out_of_leaf(to);
 
     // Plans over the mesh. If the mesh has no path, plans from cell to cell.
-    std::optional<Way> way = best_over_mesh(from, to, wish);
+    std::optional<Way> way = best_over_mesh(from, to, preference);
     if (!way) {
         way.emplace();
         if (piece_[from] == piece_[to])
-            for (const std::uint32_t s : over_cells(from, to, wish)) way->legs_m.back().push_back(space_.place_m(s));
+            for (const std::uint32_t s : over_cells(from, to, preference))
+                way->legs_m.back().push_back(space_.place_m(s));
         if (way->legs_m.back().empty()) {
             route.reaches = false;
             way->legs_m.back().push_back(space_.place_m(from));
             route.short_of_m = glm::length(to_m - space_.place_m(from));
         }
-        finish(*way, to, wish);
+        finish(*way, to, preference);
     }
     if (const std::uint32_t out = blocked_.empty() || !meets_blocked(*way) ? kNothing : out_of_blocked(from);
         out != kNothing) {
         const std::uint32_t wanted = to;
-        if (std::optional<Way> round = round_blocked(out, to, to_m, wish)) {
+        if (std::optional<Way> round = round_blocked(out, to, to_m, preference)) {
             way = std::move(round);
             if (out != from) way->legs_m.front().insert(way->legs_m.front().begin(), space_.place_m(from));
         }
@@ -602,11 +605,11 @@ Route Navigation::plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish) {
             route.passages.push_back({link.kind, route.points_m.back(), route.length_m, rise, link.feature});
             route.drops = route.drops || link.kind == PassageKind::Drop;
         }
-        tell_passages(route, way->legs_m[i]);
+        add_passages(route, way->legs_m[i]);
     }
-    // Stairs with a rise below kStairsTold_m are not announced.
+    // Stairs with a rise below kStairsAnnounced_m are not announced.
     std::erase_if(route.passages, [&](const RoutePassage& p) {
-        return p.kind == PassageKind::Stairs && std::abs(p.rise_m) < kStairsTold_m;
+        return p.kind == PassageKind::Stairs && std::abs(p.rise_m) < kStairsAnnounced_m;
     });
     return route;
 }

@@ -18,7 +18,7 @@ namespace handrail::navigation {
 
 // Returns the measures of a person in a building, or of a player in a game map, depending on the kind of scene. They
 // include a suitable cell size.
-WalkerMeasures walk_body(const Scene& scene, double radius_m, double height_m, double step_up_m);
+WalkerMeasures walker_measures(const Scene& scene, double radius_m, double height_m, double step_up_m);
 
 class Navigation {
 public:
@@ -44,7 +44,7 @@ public:
     // Plans a route from a walker's place to another place, or to the place nearest to that one where people can stand.
     // All doors are assumed to be open. If the goal cannot be reached, the route ends at the nearest place that can be
     // reached. A route without points means that there is no floor at `from_m`.
-    Route plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish = RouteWish::Safest);
+    Route plan(const Vec3& from_m, const Vec3& to_m, RoutePreference preference = RoutePreference::Safest);
     // Returns where a route to that place would end: the nearest place to stand within 3 m. If the leaf of an open door
     // is at that place, the route ends next to the leaf.
     std::optional<Vec3> nearest_place(const Vec3& at_m) const;
@@ -70,27 +70,28 @@ private:
     std::uint32_t span_from(const Vec3& feet_m) const;
     std::uint32_t span_to(const Vec3& at_m) const;
     std::vector<bool> pieces_from(std::uint32_t span) const;
-    std::vector<std::uint32_t> over_cells(std::uint32_t from, std::uint32_t to, RouteWish wish) const;
-    double cost(const Vec3& from_m, const Vec3& to_m, RouteWish wish) const;
-    double span_cost(std::uint32_t span, RouteWish wish) const;
+    std::vector<std::uint32_t> over_cells(std::uint32_t from, std::uint32_t to, RoutePreference preference) const;
+    double cost(const Vec3& from_m, const Vec3& to_m, RoutePreference preference) const;
+    double span_cost(std::uint32_t span, RoutePreference preference) const;
     bool in_leaf(std::uint32_t span) const { return !leaf_marks_.empty() && leaf_marks_[span] == kInLeaf; }
     std::uint32_t out_of_blocked(std::uint32_t span) const;
     bool meets_blocked(const Way& way) const;
-    std::optional<Way> round_blocked(std::uint32_t from, std::uint32_t& to, const Vec3& to_m, RouteWish wish) const;
+    std::optional<Way> round_blocked(std::uint32_t from, std::uint32_t& to, const Vec3& to_m,
+                                     RoutePreference preference) const;
     std::uint32_t out_of_leaf(std::uint32_t span) const;
     struct Stretch {
         // Distances along the points at which the stretch begins and ends; to_m < from_m: no stretch.
         double from_m = 0.0, to_m = -1.0;
     };
     Stretch in_leaves(std::span<const Vec3> points_m) const;
-    void go_round_leaves(std::vector<Vec3>& points_m, RouteWish wish) const;
-    void straighten(std::vector<Vec3>& points_m, RouteWish wish) const;
-    void make_way(std::vector<Vec3>& points_m, RouteWish wish) const;
-    std::optional<Way> over_mesh(std::uint32_t from, std::uint32_t to, RouteWish wish, bool over_links);
-    void finish(Way& way, std::uint32_t to, RouteWish wish) const;
-    double cost(const Way& way, RouteWish wish) const;
-    std::optional<Way> best_over_mesh(std::uint32_t from, std::uint32_t to, RouteWish wish);
-    void tell_passages(Route& route, const std::vector<Vec3>& leg) const;
+    void go_round_leaves(std::vector<Vec3>& points_m, RoutePreference preference) const;
+    void straighten(std::vector<Vec3>& points_m, RoutePreference preference) const;
+    void keep_clear(std::vector<Vec3>& points_m, RoutePreference preference) const;
+    std::optional<Way> over_mesh(std::uint32_t from, std::uint32_t to, RoutePreference preference, bool over_links);
+    void finish(Way& way, std::uint32_t to, RoutePreference preference) const;
+    double cost(const Way& way, RoutePreference preference) const;
+    std::optional<Way> best_over_mesh(std::uint32_t from, std::uint32_t to, RoutePreference preference);
+    void add_passages(Route& route, const std::vector<Vec3>& leg) const;
 
     WalkSpace space_;
     std::unique_ptr<NavMesh> mesh_;

@@ -33,7 +33,7 @@ std::vector<std::uint8_t> mark_leaves(const WalkSpace& space, std::span<const Op
                 const double level_m = std::hypot(own.x - inside.x, own.y - inside.y) * leaf.at.scale;
                 if (level_m >= reach_m) continue;
                 if (marks.empty()) marks.assign(space.spans.size(), kNoLeaf);
-                marks[s] = std::max<std::uint8_t>(marks[s], level_m < space.body.radius_m ? kInLeaf : kBesideLeaf);
+                marks[s] = std::max<std::uint8_t>(marks[s], level_m < space.body.radius_m ? kInLeaf : kNextToLeaf);
             }
     }
     return marks;

@@ -19,7 +19,7 @@ struct OpenLeaf {
 
 enum LeafMark : std::uint8_t {
     kNoLeaf,
-    kBesideLeaf,  // a walker here is less than kLeafRoom_m away from the leaf
+    kNextToLeaf,  // a walker here is less than kLeafRoom_m away from the leaf
     kInLeaf,      // a walker here would overlap the leaf
 };
 inline constexpr double kLeafRoom_m = 0.15;

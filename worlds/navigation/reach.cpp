@@ -8,7 +8,7 @@
 namespace handrail::navigation {
 namespace {
 
-constexpr double kLeastTold_m2 = 1.0;
+constexpr double kLeastReported_m2 = 1.0;
 constexpr std::size_t kMostNamed = 4;
 
 std::vector<bool> reached_from(const RoomGraph& graph, std::uint32_t first) {
@@ -104,7 +104,7 @@ std::vector<RoomOutOfReach> rooms_out_of_reach(const Scene& scene, const WalkSpa
         // Pools are left out, because nobody walks into a basin with a rim.
         if (room.kind == RoomKind::Liquid) continue;
         const bool named = room.given || !room.map_name.empty();
-        if (!reached[i] && (named || (room.kind != RoomKind::Niche && room.area_m2 >= kLeastTold_m2)))
+        if (!reached[i] && (named || (room.kind != RoomKind::Niche && room.area_m2 >= kLeastReported_m2)))
             rooms.push_back({capitalised(room.name), i, room.middle_m});
     }
     for (const RoomName& name : scene.room_names) {

@@ -40,7 +40,7 @@ constexpr double kNextStorey_m = 2.0;  // floors that are farther apart in heigh
 constexpr double kHalfStorey_m = 1.1;  // the same limit if the file states both storeys
 // Greatest distance between the height that a file states for a storey and the floors of its rooms.
 constexpr double kOnStorey_m = 0.5;
-constexpr double kMostBeside_m = 10.0;  // greatest distance from the middle of a landmark to the floor next to it
+constexpr double kMostNextTo_m = 10.0;  // greatest distance from the middle of a landmark to the floor next to it
 constexpr double kOnePortal_m = 1.0;    // two stretches of a border with a smaller gap between them are one portal
 
 MadeRoomName by_thing(const Feature& feature) {
@@ -471,7 +471,7 @@ private:
             if (!feature.landmark || feature.bounds_m.empty() || feature.kind == FeatureKind::Door) continue;
             const Vec3 c = feature.bounds_m.centre_m(), size = feature.bounds_m.size_m();
             if (stop_.stop_requested()) return;
-            const double beside_m = std::min(0.5 * std::max(size.x, size.y) + 1.0, kMostBeside_m);
+            const double beside_m = std::min(0.5 * std::max(size.x, size.y) + 1.0, kMostNextTo_m);
             const std::uint32_t s = space_.nearest({c.x, c.y, feature.bounds_m.min_m.z}, beside_m, 0.6, 2.0);
             if (s != kNothing && content[label_[s]].thing.empty()) content[label_[s]] = by_thing(feature);
         }

@@ -44,7 +44,7 @@ struct Route {
 };
 
 // Which of several possible routes the planner prefers.
-enum class RouteWish : std::uint8_t {
+enum class RoutePreference : std::uint8_t {
     Safest,    // keeps away from walls and edges, and avoids liquids and drops
     Shortest,  // the shortest route in metres
     OnFoot,    // as Safest, and never by a lift, a climb, a teleporter or a drop

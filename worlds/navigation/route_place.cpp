@@ -27,7 +27,7 @@ void visit_legs(std::span<const Vec3> points_m, const Vec3& from_m, Visit visit)
 
 }  // namespace
 
-RoutePlace nearest_on_way(std::span<const Vec3> points_m, const Vec3& from_m) {
+RoutePlace nearest_on_path(std::span<const Vec3> points_m, const Vec3& from_m) {
     contract_pre(!points_m.empty());
     RoutePlace nearest{points_m[0], glm::length(from_m - points_m[0]), 0.0, 0};
     visit_legs(points_m, from_m, [&](const RoutePlace& place) {
@@ -36,8 +36,8 @@ RoutePlace nearest_on_way(std::span<const Vec3> points_m, const Vec3& from_m) {
     return nearest;
 }
 
-RoutePlace near_on_way(std::span<const Vec3> points_m, const Vec3& from_m, double along_m, double height_counts,
-                       const std::function<bool(const Vec3&)>& sees) {
+RoutePlace near_on_path(std::span<const Vec3> points_m, const Vec3& from_m, double along_m, double height_counts,
+                        const std::function<bool(const Vec3&)>& sees) {
     contract_pre(!points_m.empty());
     const auto off = [&](Vec3 way) {
         way.z *= height_counts;

@@ -19,7 +19,7 @@ struct RoutePlace {
 
 // Returns the nearest place. If several are equally near, it returns the first along the route. Legs may have no
 // length, and a single point is a route. Expects at least one point.
-RoutePlace nearest_on_way(std::span<const Vec3> points_m, const Vec3& from_m);
+RoutePlace nearest_on_path(std::span<const Vec3> points_m, const Vec3& from_m);
 
 // Returns the nearest place for a walker who was at `along_m` a moment ago. A route may pass close to itself, so the
 // distance of a place grows with its distance along the route from `along_m`. `height_counts`: factor for differences
@@ -31,9 +31,9 @@ inline constexpr double kFartherForEachMetreAlong_m = 0.05;
 // If the nearest visible place is farther away than this, a thin obstacle hides the nearest place.
 inline constexpr double kRoundCorner_m = 1.5;
 inline constexpr double kHeightCountsForWalkers = 0.5;
-RoutePlace near_on_way(std::span<const Vec3> points_m, const Vec3& from_m, double along_m,
-                       double height_counts = kHeightCountsForWalkers,
-                       const std::function<bool(const Vec3&)>& sees = {});
+RoutePlace near_on_path(std::span<const Vec3> points_m, const Vec3& from_m, double along_m,
+                        double height_counts = kHeightCountsForWalkers,
+                        const std::function<bool(const Vec3&)>& sees = {});
 
 // Returns the place at that distance along the route. If the distance is outside the route, returns the nearer end.
 Vec3 place_along(std::span<const Vec3> points_m, double along_m);

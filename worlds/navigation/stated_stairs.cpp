@@ -107,7 +107,7 @@ std::optional<Stairs> stairs_of(const Scene& scene, const StatedBuilding& stated
     stairs.around = box;
     stairs.around.include(stairs.foot_m);
     stairs.around.include(stairs.head_m);
-    stairs.around = grown(stairs.around, kBesideStairs_m);
+    stairs.around = grown(stairs.around, kNextToStairs_m);
     return stairs;
 }
 

@@ -8,9 +8,9 @@
 namespace handrail::navigation {
 
 // Adds a link of PassageKind::Climb for each stairs portal of the file, in file order. It does so only if people can
-// stand at the foot and at the head, but cannot walk between them within kBesideStairs_m of the stairs. Costs nothing
+// stand at the foot and at the head, but cannot walk between them within kNextToStairs_m of the stairs. Costs nothing
 // if the file states no stairs.
-inline constexpr double kBesideStairs_m = 1.5;
+inline constexpr double kNextToStairs_m = 1.5;
 void link_stated_stairs(const Scene& scene, WalkSpace& space);
 
 }  // namespace handrail::navigation

@@ -88,7 +88,7 @@ Flood::End Flood::spread(std::uint32_t number) {
                     if (k != spot.place && tiles_.passing_mover(tile.places[k].ground) == static_cast<int>(floor.mover))
                         visit(spot.layer, number, k, cell);
         }
-        if (spot.layer == kFurnished && !trial_) look_beside(number, spot, steps);
+        if (spot.layer == kFurnished && !trial_) look_at_neighbour(number, spot, steps);
     }
     return End::Done;
 }
@@ -105,7 +105,7 @@ std::uint32_t Flood::drop(const Place& here, std::uint32_t tile, Cell to, Layer 
 
 // Finds the obstacle that blocks the walker in each direction in which no step is possible. A part of the building
 // takes precedence over objects in it.
-void Flood::look_beside(std::uint32_t number, const Spot& spot, const Steps& steps) {
+void Flood::look_at_neighbour(std::uint32_t number, const Spot& spot, const Steps& steps) {
     const Tile& tile = tiles_[number];
     const Place here = tile.places[spot.place];
     std::uint32_t found = kNothing;

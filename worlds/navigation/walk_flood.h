@@ -72,7 +72,7 @@ private:
     struct Steps {
         std::array<std::uint32_t, 4> tile{}, place{};
     };
-    void look_beside(std::uint32_t tile, const Spot& spot, const Steps& steps);
+    void look_at_neighbour(std::uint32_t tile, const Spot& spot, const Steps& steps);
     void seed_at(const Vec3& at, double level_m, double up_m, double down_m, bool on_building);
     void seed();
     template <class Span>
@@ -81,7 +81,7 @@ private:
     bool write_spans(Layer layer, SpanGrid<Span>& grid, Each each);
     bool is_within(const Place& place, Cell cell) const;
     std::uint32_t drop(const Place& here, std::uint32_t tile, Cell to, Layer layer) const;
-    bool stopped() { return (++asked_ & 0xfff) == 0 && stop_.stop_requested(); }
+    bool stopped() { return (++stop_queries_ & 0xfff) == 0 && stop_.stop_requested(); }
 
     const Scene& scene_;
     WalkerMeasures body_;
@@ -92,7 +92,7 @@ private:
     bool full_ = false, part_ = false;
     WalkTiles tiles_;
     std::deque<std::uint32_t> waiting_;
-    std::size_t asked_ = 0;
+    std::size_t stop_queries_ = 0;
     std::vector<std::uint32_t> near_;
     std::array<Extent, 2> layers_;
 };

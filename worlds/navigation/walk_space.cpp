@@ -294,9 +294,9 @@ bool WalkSpace::straight(const Vec3& from_m, const Vec3& to_m,
     return std::abs(place_m(here).z - to_m.z) <= 1.5 * body.step_up_m + 0.1;
 }
 
-std::vector<std::string> said_of(const WalkSpace& space, const WalkerMeasures& asked) {
+std::vector<std::string> said_of(const WalkSpace& space, const WalkerMeasures& requested) {
     std::vector<std::string> said;
-    if (space.body.cell_m > asked.cell_m)
+    if (space.body.cell_m > requested.cell_m)
         said.push_back(phrase("navigation.coarse", {{"centimetres", std::lround(space.body.cell_m * 100.0)}}));
     if (space.outdoors_m > 0.0) said.push_back(phrase("navigation.outdoors", {{"metres", space.outdoors_m}}));
     if (space.part) said.push_back(phrase("navigation.part"));
@@ -326,11 +326,11 @@ Flooded flood_as_fine_as_can_be(const Scene& scene, WalkerMeasures& body, const 
     std::vector<Fineness> tried;
     for (const Fineness& each : kFineness)
         if (each.columns == 1.0 || body.cell_m * each.columns <= kCoarsest_m * 1.0001) tried.push_back(each);
-    const double asked_m = body.cell_m;
+    const double requested_m = body.cell_m;
     Flooded made;
     for (std::size_t k = 0; k < tried.size(); ++k) {
         const bool last = k + 1 == tried.size();
-        body.cell_m = asked_m * tried[k].columns;
+        body.cell_m = requested_m * tried[k].columns;
         made.ground = std::make_unique<NearGround>(scene, obstacles, tried[k].outdoors_m);
         const double most_m2 = static_cast<double>(Flood::most_spans(body.cell_m)) * body.cell_m * body.cell_m;
         const bool looks = !last && !(trial && trial->within);

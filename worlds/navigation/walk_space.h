@@ -108,8 +108,8 @@ struct WalkSpace : SpanGrid<WalkSpan> {
 };
 
 // Returns sentences about the space, which the program announces: that its columns are coarser than requested in
-// `asked`, and what was left out.
-std::vector<std::string> said_of(const WalkSpace& space, const WalkerMeasures& asked);
+// `requested`, and what was left out.
+std::vector<std::string> said_of(const WalkSpace& space, const WalkerMeasures& requested);
 
 // Options of a space that is made only to try a walker of another size. Such a space contains the places that the
 // walker can reach, drops, lifts, and links over stairs that nobody can walk on. It contains no floor without

@@ -17,7 +17,7 @@ namespace handrail::osm {
 namespace {
 
 constexpr double kLeastStorey_m = 2.5, kMostStorey_m = 6.0;
-constexpr double kFarthest_m = 20'000.0, kBesideOutline_m = 0.3, kBesideCorner_m = 0.05;
+constexpr double kFarthest_m = 20'000.0, kNextToOutline_m = 0.3, kNextToCorner_m = 0.05;
 constexpr std::size_t kMostOutlines = 60'000, kMostCornersOfOne = 2'000;
 
 void note_id(std::string& ids, const std::string& id) {
@@ -30,30 +30,30 @@ class OutlineIndex {
 public:
     explicit OutlineIndex(const std::vector<floorplan::PlanSpace>& spaces) : index_(boxes_of(spaces)) {}
 
-    struct Beside {
+    struct DoorSpaces {
         // The spaces on both sides of the wall with the door, in rising order. A room is left out if only a corner of
         // it is next to the door.
         std::vector<std::size_t> spaces;
         std::size_t nearest = static_cast<std::size_t>(-1);
     };
     // Tests every edge of those outlines whose boxes contain `at`.
-    Beside spaces_at(const floorplan::FloorPlan& plan, const Vec2& at) const {
+    DoorSpaces spaces_at(const floorplan::FloorPlan& plan, const Vec2& at) const {
         std::vector<std::uint32_t> near;
         index_.find({Vec3(at, 0.0), Vec3(at, 0.0)}, near);
         std::sort(near.begin(), near.end());
         floorplan::NearestOfOutline wall;
-        std::vector<std::pair<std::size_t, Vec2>> beside;
-        Beside joined;
+        std::vector<std::pair<std::size_t, Vec2>> near_door;
+        DoorSpaces joined;
         for (const std::uint32_t s : near) {
             const floorplan::NearestOfOutline found = floorplan::nearest_of_outline(plan.spaces[s].rings, at);
-            if (found.distance_m > kBesideOutline_m) continue;
-            beside.emplace_back(s, found.at_m);
+            if (found.distance_m > kNextToOutline_m) continue;
+            near_door.emplace_back(s, found.at_m);
             if (found.distance_m >= wall.distance_m) continue;
             wall = found;
             joined.nearest = s;
         }
-        for (const auto& [s, nearest_m] : beside)
-            if (std::abs(glm::dot(nearest_m - at, wall.along)) <= kBesideCorner_m) joined.spaces.push_back(s);
+        for (const auto& [s, nearest_m] : near_door)
+            if (std::abs(glm::dot(nearest_m - at, wall.along)) <= kNextToCorner_m) joined.spaces.push_back(s);
         return joined;
     }
 
@@ -64,7 +64,7 @@ private:
             Aabb box;
             for (const Ring& ring : space.rings)
                 for (const Vec2& p : ring) box.include(Vec3(p, 0.0));
-            boxes.push_back(grown(box, kBesideOutline_m));
+            boxes.push_back(grown(box, kNextToOutline_m));
         }
         return boxes;
     }
@@ -94,15 +94,15 @@ Result<floorplan::FloorPlan> OsmPlan::build(const std::string& file_name) {
     add_ways(rooms_are_joined());
     if (plan_.spaces.empty() && plan_.ways.empty()) return fail(phrase("osm.nothing"), file_name);
     add_blocks();
-    tell("osm.open_outlines", open_, open_ids_);
-    tell("osm.incomplete", incomplete_, incomplete_ids_);
-    tell("osm.odd_levels", odd_levels_);
+    report("osm.open_outlines", open_, open_ids_);
+    report("osm.incomplete", incomplete_, incomplete_ids_);
+    report("osm.odd_levels", odd_levels_);
     if (without_level_ > 0) plan_.guessed.push_back(phrase("osm.without_level", {{"n", without_level_}}));
     if (doors_alone_ > 0) plan_.left_out.push_back(phrase("osm.doors_alone", {{"n", doors_alone_}}));
     return std::move(plan_);
 }
 
-void OsmPlan::tell(std::string_view key, int count, const std::string& ids) {
+void OsmPlan::report(std::string_view key, int count, const std::string& ids) {
     if (count > 0) plan_.warnings.emplace_back(phrase(key, {{"n", count}, {"ids", ids}}), phrase("osm.then_left_out"));
 }
 
@@ -264,11 +264,12 @@ Result<void> OsmPlan::choose_building(const std::string& file_name) {
         return names;
     };
     if (!options_.building.empty()) {
-        const std::string wish = lower_ascii(options_.building);
+        const std::string wanted = lower_ascii(options_.building);
         for (std::size_t k = 0; k < with_rooms.size() && chosen_ == kNone; ++k) {
             const Building& b = buildings_[with_rooms[k]];
-            const bool meant = wish == std::to_string(k + 1) || lower_ascii(b.name).find(wish) != std::string::npos ||
-                               lower_ascii(b.ref) == wish || b.id == options_.building;
+            const bool meant = wanted == std::to_string(k + 1) ||
+                               lower_ascii(b.name).find(wanted) != std::string::npos || lower_ascii(b.ref) == wanted ||
+                               b.id == options_.building;
             if (meant) chosen_ = with_rooms[k];
         }
         if (chosen_ == kNone)
@@ -420,7 +421,7 @@ void OsmPlan::add_spaces() {
             }
         plan_.spaces.push_back(std::move(space));
     }
-    tell("osm.far", far);
+    report("osm.far", far);
 }
 
 void OsmPlan::add_doors() {

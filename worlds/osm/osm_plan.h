@@ -76,12 +76,12 @@ private:
     std::vector<Walked> find_walked();
     floorplan::PlanWay way_of(const Walked& walked, const std::unordered_map<std::int64_t, double>& height_m) const;
     void name_ways(const std::vector<Walked>& walked);
-    void tell_ways_apart(const std::vector<Walked>& walked);
+    void distinguish_ways(const std::vector<Walked>& walked);
     void add_levels(const std::vector<Walked>& walked, const std::unordered_map<std::int64_t, double>& height_m);
     bool is_lift_node(std::int64_t node) const;
     void add_blocks();
     bool rooms_are_joined() const;
-    void tell(std::string_view key, int count, const std::string& ids = {});
+    void report(std::string_view key, int count, const std::string& ids = {});
 
     const OsmData& data_;
     const OsmOptions& options_;

@@ -18,7 +18,7 @@
 namespace handrail::osm {
 namespace {
 
-constexpr double kWay_m = 2.0, kSteps_m = 1.6, kMostWay_m = 20.0, kFarthestWay_m = 2'000.0, kBeside_m = 0.3,
+constexpr double kWay_m = 2.0, kSteps_m = 1.6, kMostWay_m = 20.0, kFarthestWay_m = 2'000.0, kNextTo_m = 0.3,
                  kSurroundings_m = 100.0, kLook_m = 10.0, kAsideShare = 0.15;
 constexpr int kMostThrough = 4;
 constexpr std::size_t kMostLooked = 60;
@@ -229,7 +229,7 @@ public:
             Aabb box;
             for (const Vec2& p : ways[w].line) box.include(Vec3(p, ways[w].floor_m[0]));
             areas_.push_back(w);
-            boxes.push_back(grown(box, kBeside_m));
+            boxes.push_back(grown(box, kNextTo_m));
         }
         index_ = BoxIndex(boxes);
     }
@@ -248,7 +248,7 @@ public:
         for (const std::uint32_t a : near) {
             const floorplan::PlanWay& area = ways_[areas_[a]];
             const std::vector<Ring> rings = floorplan::rings_of_way(area);
-            if (inside(rings, at) || floorplan::distance_to_outline(rings, at) < kBeside_m) return &area;
+            if (inside(rings, at) || floorplan::distance_to_outline(rings, at) < kNextTo_m) return &area;
         }
         return nullptr;
     }
@@ -339,12 +339,12 @@ void OsmPlan::name_ways(const std::vector<Walked>& walked) {
     }
     for (std::size_t w = 0; w < walked.size(); ++w)
         if (own[w].empty()) plan_.ways[w].name = std::move(names[w]);
-    tell_ways_apart(walked);
+    distinguish_ways(walked);
 }
 
 // Makes the names of ways with the same name different. It adds their levels or, if these are equal, the side of the
 // site on which they are.
-void OsmPlan::tell_ways_apart(const std::vector<Walked>& walked) {
+void OsmPlan::distinguish_ways(const std::vector<Walked>& walked) {
     Aabb all;
     for (const floorplan::PlanWay& way : plan_.ways)
         for (const Vec2& p : way.line) all.include(Vec3(p, 0.0));
@@ -357,7 +357,7 @@ void OsmPlan::tell_ways_apart(const std::vector<Walked>& walked) {
                            std::abs(off.y) > std::max(1.0, kAsideShare * size.y);
         return aside ? compass_word(off) : phrase("room_name.middle");
     };
-    const auto tell_apart = [&](const auto& words_of) {
+    const auto distinguish = [&](const auto& words_of) {
         std::map<std::string, std::vector<std::size_t>> called;
         for (std::size_t w = 0; w < plan_.ways.size(); ++w)
             if (!plan_.ways[w].steps) called[plan_.ways[w].name].push_back(w);
@@ -369,8 +369,8 @@ void OsmPlan::tell_ways_apart(const std::vector<Walked>& walked) {
                 plan_.ways[w].name = phrase("plan.on_level", {{"name", name}, {"level", words_of(w)}});
         }
     };
-    tell_apart(level_words);
-    tell_apart(side_words);
+    distinguish(level_words);
+    distinguish(side_words);
 }
 
 // Returns true if the middle of the way is in a room on the same level.

@@ -27,10 +27,10 @@ constexpr double kPaneThin_m = 0.12, kPaneLong_m = 0.4, kPaneHigh_m = 1.2;
 constexpr double kStep_m = 0.6;
 constexpr double kLongestTread_m = 1.5;  // greatest length of a tread of a wide solid step; a longer part is a stage
 // Greatest distance, in steps of 5 cm, between a gap and the place where the rooms meet.
-constexpr int kBesideSteps = 8;
+constexpr int kNextToSteps = 8;
 constexpr double kWidestGap_m = 4.0;  // greatest distance between the jambs; a wider opening is not a gap in a wall
 
-constexpr double kBesidePortal_m = 0.5;  // distance by which an opening may extend beyond the width of its portal
+constexpr double kNextToPortal_m = 0.5;  // distance by which an opening may extend beyond the width of its portal
 constexpr double kStandsIn_m = 0.15;     // length of an opening that a thing must cover to close it
 constexpr double kFloorNearPortal_m = 2.0;
 // Floors whose heights differ by more than kFloorsApart_m are above each other. If at least kLeastHidden_m2 of a room
@@ -648,7 +648,7 @@ private:
         return std::any_of(made_.portals.begin(), made_.portals.end(), [&](const StoreyPortal& portal) {
             return std::min(portal.rooms[0], portal.rooms[1]) == border.rooms[0] &&
                    std::max(portal.rooms[0], portal.rooms[1]) == border.rooms[1] &&
-                   glm::distance(portal.place_m, at) <= 0.5 * portal.width_m + kBesidePortal_m;
+                   glm::distance(portal.place_m, at) <= 0.5 * portal.width_m + kNextToPortal_m;
         });
     }
 
@@ -772,7 +772,7 @@ private:
                     return border.rooms[0] == std::min(portal.rooms[0], portal.rooms[1]) &&
                            border.rooms[1] == std::max(portal.rooms[0], portal.rooms[1]) &&
                            glm::distance(squares().middle(grid, square), portal.place_m) <=
-                               0.5 * portal.width_m + kBesidePortal_m;
+                               0.5 * portal.width_m + kNextToPortal_m;
                 });
             });
             const auto a = nearest_floor(floors, portal.rooms[0], portal.place_m);
@@ -882,7 +882,7 @@ private:
             const std::vector<Vec2> ways = square_ways(place);
             for (const Vec2& way : ways) measure(gap, place, way, 0, 0, least);
             if (least >= kWidestGap_m)
-                for (const Vec2& way : ways) measure(gap, place, way, 1, 2 * kBesideSteps, least);
+                for (const Vec2& way : ways) measure(gap, place, way, 1, 2 * kNextToSteps, least);
             const Vec2 through(-gap.along.y, gap.along.x);
             // A window niche is as narrow as a gap, but it is excluded, because its pane is within one step.
             if (least >= kWidestGap_m || free_m(gap.place_m, through, kStep_m) < kStep_m ||

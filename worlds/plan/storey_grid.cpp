@@ -17,7 +17,7 @@ constexpr double kSquare_m = 0.05, kMostSquares = 2000.0;
 constexpr double kCrack_m = 0.1;  // a crack between walls that is narrower than this leads nowhere
 // Distance from the middle of a floor cell within which a place is near the floor. It is slightly more than a walker's
 // radius.
-constexpr double kBesideFloor_m = 0.45;
+constexpr double kNextToFloor_m = 0.45;
 constexpr double kDoorwayDeep_m = 2.0;  // greatest distance between the floors on both sides of a doorway
 constexpr double kLeastVoid_m2 = 1.0;   // a smaller area between floors, without a floor of its own, is not a void
 // Greatest distance from the floor to a wall of the storey; furniture or a machine may be between them.
@@ -177,7 +177,7 @@ void find_beyond(Storey& storey) {
                  [&](int x, int y) { near_floor[cell(x, y)] = 1; });
     };
     const auto lay_middle = [&](int x, int y) {
-        lay(storey.min_m + (Vec2(x, y) + Vec2(0.5)) * floor.cell_m, kBesideFloor_m);
+        lay(storey.min_m + (Vec2(x, y) + Vec2(0.5)) * floor.cell_m, kNextToFloor_m);
     };
     for (int y = 0; y < floor.high; ++y)
         for (int x = 0; x < floor.wide; ++x) {
@@ -196,7 +196,7 @@ void find_beyond(Storey& storey) {
         const auto b = a ? nearest_floor_m(storey, portal.rooms[1], *a, kDoorwayDeep_m) : std::nullopt;
         if (!b) continue;
         const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(*a, *b) / floor.cell_m)));
-        for (int i = 0; i <= steps; ++i) lay(*a + (*b - *a) * (static_cast<double>(i) / steps), kBesideFloor_m);
+        for (int i = 0; i <= steps; ++i) lay(*a + (*b - *a) * (static_cast<double>(i) / steps), kNextToFloor_m);
     }
 
     // Finds the squares that can be reached from the rim without crossing a wall or a floor, and the voids between

@@ -205,7 +205,7 @@ private:
                     decoded_base64(std::string_view(uri).substr(std::min(uri.find(','), uri.size())))));
             } else {
                 Result<std::string> beside =
-                    options_.read_beside ? options_.read_beside(uri) : Result<std::string>(fail(std::string()));
+                    options_.read_next_to ? options_.read_next_to(uri) : Result<std::string>(fail(std::string()));
                 if (!beside) return fail(phrase("mesh.no_buffer", {{"file", excerpt(uri, 60)}}), file_name_);
                 owned_.push_back(std::make_unique<std::string>(std::move(*beside)));
             }

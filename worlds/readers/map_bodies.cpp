@@ -26,34 +26,35 @@ double volume_of(const Scene& scene, FeatureId feature) {
 
 }  // namespace
 
-std::optional<BodyWish> body_wish_of(const MapEntity& entity, bool dynamic, bool can_move, const Material& surface,
-                                     const MapKeys& keys, Diagnostics& diagnostics) {
+std::optional<BodyOptions> body_options_of(const MapEntity& entity, bool dynamic, bool can_move,
+                                           const Material& surface, const MapKeys& keys, Diagnostics& diagnostics) {
     const MapKey* key = entity.find("free");
     if (key ? !keys.yes_no_of(entity, "free") : !dynamic) return std::nullopt;
     if (!can_move) {
         diagnostics.warn(key ? key->place : entity.place, "map.then_stays", "map.free_fixed");
         return std::nullopt;
     }
-    BodyWish wish;
-    wish.mass_kg = keys.number_of(entity, kMass);
-    wish.density_kg_per_m3 = keys.number_of(entity, kDensity).value_or(wish.density_kg_per_m3);
-    FreeBody& body = wish.body;
+    BodyOptions options;
+    options.mass_kg = keys.number_of(entity, kMass);
+    options.density_kg_per_m3 = keys.number_of(entity, kDensity).value_or(options.density_kg_per_m3);
+    FreeBody& body = options.body;
     body.elasticity = keys.number_of(entity, kElasticity).value_or(body.elasticity);
     body.rolling = keys.number_of(entity, kRolling).value_or(body.rolling);
     body.friction = surface.friction_mu.value_or(body.friction);
     body.friction_static =
         std::max(body.friction, surface.friction_static.value_or(kStaticOverSliding * body.friction));
-    body.by_density = !wish.mass_kg;
+    body.by_density = !options.mass_kg;
     if (const MapKey* string = entity.find("string")) {
-        wish.string = trimmed(string->value);
-        wish.string_place = string->place;
-        wish.string_n_per_m = keys.number_of(entity, kStringStiffness).value_or(wish.string_n_per_m);
-        if (wish.string.empty()) diagnostics.warn(string->place, "map.then_loose", "map.string_empty");
+        options.string = trimmed(string->value);
+        options.string_place = string->place;
+        options.string_n_per_m = keys.number_of(entity, kStringStiffness).value_or(options.string_n_per_m);
+        if (options.string.empty()) diagnostics.warn(string->place, "map.then_loose", "map.string_empty");
     }
-    return wish;
+    return options;
 }
 
-void MapBodies::add(Scene& scene, const BodyWish& wish, FeatureId feature, TextPlace place, Diagnostics& diagnostics) {
+void MapBodies::add(Scene& scene, const BodyOptions& options, FeatureId feature, TextPlace place,
+                    Diagnostics& diagnostics) {
     const double volume_m3 = volume_of(scene, feature);
     if (!(volume_m3 > 0.0)) {
         diagnostics.warn(place, "map.then_stays", "map.body_no_volume");
@@ -63,27 +64,27 @@ void MapBodies::add(Scene& scene, const BodyWish& wish, FeatureId feature, TextP
         if (too_many_++ == 0) first_too_many_ = place;
         return;
     }
-    FreeBody body = wish.body;
+    FreeBody body = options.body;
     body.feature = feature;
     body.source = scene.features[feature.value].source;
-    const double mass_kg = wish.mass_kg.value_or(wish.density_kg_per_m3 * volume_m3);
+    const double mass_kg = options.mass_kg.value_or(options.density_kg_per_m3 * volume_m3);
     body.mass_kg = std::clamp(mass_kg, FreeBody::kLeast_kg, FreeBody::kMost_kg);
     if (body.mass_kg != mass_kg)
         diagnostics.warn(place, "map.then_number", "map.body_mass", {{"mass", mass_kg}, {"taken", body.mass_kg}});
-    if (!wish.string.empty()) tied_.push_back({scene.bodies.size(), wish});
+    if (!options.string.empty()) tied_.push_back({scene.bodies.size(), options});
     scene.bodies.push_back(body);
 }
 
 void MapBodies::finish(Scene& scene, Diagnostics& diagnostics) const {
     for (const Tied& tied : tied_) {
-        const auto point = points_m_.find(tied.wish.string);
+        const auto point = points_m_.find(tied.options.string);
         if (point == points_m_.end()) {
-            diagnostics.warn(tied.wish.string_place, "map.then_loose", "map.string_nowhere",
-                             {{"name", excerpt(tied.wish.string)}});
+            diagnostics.warn(tied.options.string_place, "map.then_loose", "map.string_nowhere",
+                             {{"name", excerpt(tied.options.string)}});
             continue;
         }
         scene.bodies[tied.body].string_at_m = point->second;
-        scene.bodies[tied.body].string_n_per_m = tied.wish.string_n_per_m;
+        scene.bodies[tied.body].string_n_per_m = tied.options.string_n_per_m;
     }
     if (too_many_ > 0)
         diagnostics.warn(first_too_many_, "map.then_stay", "map.too_many_bodies",

@@ -13,7 +13,7 @@
 
 namespace handrail::readers {
 
-struct BodyWish {
+struct BodyOptions {
     FreeBody body;
     std::optional<double> mass_kg;  // empty: the mass follows from the volume and density_kg_per_m3
     double density_kg_per_m3 = 600.0;
@@ -26,14 +26,14 @@ struct BodyWish {
 // is 0. Set `can_move` if the entity is a separate object that nothing else moves. If the keys request a free body
 // although `can_move` is false, the function reports that with its place. `surface` contains the values of the entity's
 // surface keys. Returns nothing if the entity is not free.
-std::optional<BodyWish> body_wish_of(const MapEntity& entity, bool dynamic, bool can_move, const Material& surface,
-                                     const MapKeys& keys, Diagnostics& diagnostics);
+std::optional<BodyOptions> body_options_of(const MapEntity& entity, bool dynamic, bool can_move,
+                                           const Material& surface, const MapKeys& keys, Diagnostics& diagnostics);
 
 class MapBodies {
 public:
     // Adds a free body. `feature` is the feature of the entity's solids in the scene. A body without volume, or beyond
     // the maximum number of bodies, stays fixed, and the function reports it.
-    void add(Scene& scene, const BodyWish& wish, FeatureId feature, TextPlace place, Diagnostics& diagnostics);
+    void add(Scene& scene, const BodyOptions& options, FeatureId feature, TextPlace place, Diagnostics& diagnostics);
     // Stores the position and name of an entity, so that a string can be tied to it. `name` is the entity's targetname.
     void note_point(const std::string& name, const Vec3& at_m) { points_m_.emplace(name, at_m); }
     // Call after the last entity. Ties the strings to their entities. Reports strings whose target is missing and the
@@ -43,7 +43,7 @@ public:
 private:
     struct Tied {
         std::size_t body = 0;
-        BodyWish wish;
+        BodyOptions options;
     };
     std::vector<Tied> tied_;
     std::map<std::string, Vec3> points_m_;  // positions by targetname; if a name occurs twice, the first position

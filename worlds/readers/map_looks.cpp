@@ -32,7 +32,7 @@ MaterialId MapLooks::material_of(Scene& scene, const MapMeaning& meaning, const 
     return material_id(scene, material);
 }
 
-void MapLooks::tell_guesses(ReadReport& report) const {
+void MapLooks::report_guesses(ReadReport& report) const {
     for (const auto& [material, textures] : guessed_from_) {
         std::string names;
         int shown = 0;

@@ -26,7 +26,7 @@ public:
     // Returns the index of a material in the scene; adds the material if it is new.
     MaterialId material_of(Scene& scene, const MapMeaning& meaning, const TextureFacts& facts,
                            std::string_view texture);
-    void tell_guesses(ReadReport& report) const;
+    void report_guesses(ReadReport& report) const;
 
 private:
     // Name of the material, and the entity's keys about the surface.

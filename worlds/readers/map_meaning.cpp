@@ -74,7 +74,7 @@ MapMeaning MapMeanings::read(const MapEntity& entity, const std::string& class_n
                       *exact == PrimitiveKind::Sphere ? "ball" : kPrimitiveNames[static_cast<std::size_t>(*exact)]);
     }
     meaning.viscosity_ns_per_m = keys_.number_of(entity, kViscosity);
-    meaning.soft = soft_wish_of(entity, units_, diagnostics_);
+    meaning.soft = soft_options_of(entity, units_, diagnostics_);
     meaning.buoyancy_n = keys_.number_of(entity, kBuoyancy).value_or(0.0);
     meaning.film_n = keys_.number_of(entity, kFilm).value_or(0.0);
     if (const std::optional<Vec3> flow = keys_.vector_of(entity, "flow", "map.then_still")) {
@@ -90,7 +90,7 @@ MapMeaning MapMeanings::read(const MapEntity& entity, const std::string& class_n
     meaning.surface = surfaces_.read(entity);
     meaning.look = look_of_surface(meaning.surface);
     meaning.body =
-        body_wish_of(entity, dynamic, (dynamic || still) && !meaning.liquid, meaning.surface, keys_, diagnostics_);
+        body_options_of(entity, dynamic, (dynamic || still) && !meaning.liquid, meaning.surface, keys_, diagnostics_);
     if (meaning.body) {
         meaning.structure = false;
         meaning.role = SolidRole::Mover;

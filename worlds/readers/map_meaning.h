@@ -25,10 +25,10 @@ struct MapMeaning {
     std::optional<double> viscosity_ns_per_m;
     double buoyancy_n = 0.0, film_n = 0.0;
     Vec3 flow_hand_m_per_s{0.0};
-    std::optional<SoftWish> soft;
-    std::optional<BodyWish> body;  // set if the entity is free to move
-    Material surface;              // surface as the keys state it; its name is a library material or empty
-    std::string look;              // a text that is equal for surfaces with the same keys
+    std::optional<SoftOptions> soft;
+    std::optional<BodyOptions> body;  // set if the entity is free to move
+    Material surface;                 // surface as the keys state it; its name is a library material or empty
+    std::string look;                 // a text that is equal for surfaces with the same keys
     SourcePlace source;
 };
 

@@ -71,7 +71,7 @@ void hang(ReadMover& read, const std::string& hinge) {
     const bool along_x = size.x >= size.y;  // true if the closed leaf runs along x
     const bool at_far_end = along_x ? hinge.find("east") != std::string::npos || hinge == "right"
                                     : hinge.find("north") != std::string::npos || hinge == "left";
-    const bool to_far_side = read.wish.empty() || read.wish == (along_x ? "north" : "east");
+    const bool to_far_side = read.direction.empty() || read.direction == (along_x ? "north" : "east");
     Mover& mover = read.mover;
     mover.pivot_m = box.min_m;
     if (along_x) {
@@ -146,7 +146,7 @@ private:
     void lay_way(ReadMover& read);
     void lay_lift(ReadMover& read, bool called) const;
     void lay_slide(ReadMover& read) const;
-    void take_a_known_wish(ReadMover& read);
+    void take_a_known_direction(ReadMover& read);
     bool swings(const ReadMover& read, const Feature& feature) const;
     std::vector<std::uint32_t> want(const std::string& target);
     void send_lift(ReadMover& read) const;
@@ -181,7 +181,7 @@ void MoverLinks::lay_way(ReadMover& read) {
     const bool called = read.lift && !scene_.game_map && !read.name.empty();
     if (called && !read.has_wait) read.mover.wait_s = -1.0;
     if (called && !read.has_speed) read.speed_units = kLiftSpeedInBuilding_units_per_s;
-    take_a_known_wish(read);
+    take_a_known_direction(read);
     const Feature& feature = scene_.features[read.mover.feature.value];
     if (swings(read, feature)) {
         hang(read, feature.hinge);
@@ -193,19 +193,21 @@ void MoverLinks::lay_way(ReadMover& read) {
     }
 }
 
-void MoverLinks::take_a_known_wish(ReadMover& read) {
-    static const std::vector<std::string> kWishes{"north", "east", "south", "west", "up", "down", "slide"};
-    if (read.wish.empty() || std::find(kWishes.begin(), kWishes.end(), read.wish) != kWishes.end()) return;
-    const std::string nearest = nearest_name(read.wish, kWishes);
-    diagnostics_.warn(read.wish_place, "map.then_word", "map.door_wish", {{"taken", nearest}});
-    read.wish = nearest;
+void MoverLinks::take_a_known_direction(ReadMover& read) {
+    static const std::vector<std::string> kDirections{"north", "east", "south", "west", "up", "down", "slide"};
+    if (read.direction.empty() ||
+        std::find(kDirections.begin(), kDirections.end(), read.direction) != kDirections.end())
+        return;
+    const std::string nearest = nearest_name(read.direction, kDirections);
+    diagnostics_.warn(read.direction_place, "map.then_word", "map.door_wish", {{"taken", nearest}});
+    read.direction = nearest;
 }
 
 bool MoverLinks::swings(const ReadMover& read, const Feature& feature) const {
     const Vec3 size = read.bounds_m.size_m();
     const bool flat = size.z < 0.5 * std::min(size.x, size.y);
-    return read.door && !flat && !scene_.game_map && !read.has_angle && read.wish != "up" && read.wish != "down" &&
-           read.wish != "slide" && feature.hinge != "top" && feature.hinge != "bottom";
+    return read.door && !flat && !scene_.game_map && !read.has_angle && read.direction != "up" &&
+           read.direction != "down" && read.direction != "slide" && feature.hinge != "top" && feature.hinge != "bottom";
 }
 
 void MoverLinks::lay_lift(ReadMover& read, bool called) const {
@@ -219,9 +221,9 @@ void MoverLinks::lay_lift(ReadMover& read, bool called) const {
 
 void MoverLinks::lay_slide(ReadMover& read) const {
     Vec3 direction = direction_of_angle(read.angle_deg);
-    if (read.wish == "up") direction = {0.0, 0.0, 1.0};
-    if (read.wish == "down") direction = {0.0, 0.0, -1.0};
-    if (!read.has_angle && read.wish == "slide" && read.bounds_m.size_m().y > read.bounds_m.size_m().x)
+    if (read.direction == "up") direction = {0.0, 0.0, 1.0};
+    if (read.direction == "down") direction = {0.0, 0.0, -1.0};
+    if (!read.has_angle && read.direction == "slide" && read.bounds_m.size_m().y > read.bounds_m.size_m().x)
         direction = {0.0, 1.0, 0.0};
     read.mover.slide_m = slide_of(read.bounds_m, direction, read.lip_units * unit_m_);
     read.mover.travel_s = travel_s(glm::length(read.mover.slide_m), read.speed_units * unit_m_);
@@ -390,8 +392,8 @@ void note_mover(ReadMovers& found, const MapEntity& entity, std::string_view cla
     read.name = name_of_key(entity, "targetname");
     read.target = name_of_key(entity, "target");
     if (const MapKey* key = entity.find("target")) read.target_place = key->place;
-    read.wish = name_of_key(entity, "opens");
-    if (const MapKey* key = entity.find("opens")) read.wish_place = key->place;
+    read.direction = name_of_key(entity, "opens");
+    if (const MapKey* key = entity.find("opens")) read.direction_place = key->place;
     read.linked = (flags_of(entity) & kDoNotLink) == 0;
     read.has_angle = entity.find("angle") != nullptr;
     read.angle_deg = keys.number_of(entity, "angle", -360.0, 360.0, "map.range_door_angle").value_or(0.0);

@@ -21,8 +21,8 @@ struct ReadMover {
     // forbid that.
     bool door = false, linked = true;
     std::string name, target;  // the keys targetname and target, in lower case
-    std::string wish;          // value of the key `opens`: a side, "up", "down", "slide", or empty
-    TextPlace wish_place, target_place;
+    std::string direction;     // value of the key `opens`: a side, "up", "down", "slide", or empty
+    TextPlace direction_place, target_place;
     double lip_units = 0.0, angle_deg = 0.0, speed_units = 100.0, height_units = 0.0;
     bool has_angle = false, lift = false, has_wait = false, has_speed = false;
     bool train = false, turns = false, starts_on = false;

@@ -23,42 +23,42 @@ const std::array kSides{SideRow{"top", {0, 0, 1}},    SideRow{"bottom", {0, 0, -
 
 }  // namespace
 
-std::optional<SoftWish> soft_wish_of(const MapEntity& entity, double metres_per_unit, Diagnostics& diagnostics) {
+std::optional<SoftOptions> soft_options_of(const MapEntity& entity, double metres_per_unit, Diagnostics& diagnostics) {
     const MapKey* soft = entity.find("soft");
     if (!soft) return std::nullopt;
     const std::string kind = lower_ascii(trimmed(soft->value).substr(0, 32));
-    SoftWish wish;
-    wish.place = soft->place;
+    SoftOptions options;
+    options.place = soft->place;
     if (kind != "elastic" && kind != "plastic") {
         diagnostics.warn(soft->place, "map.then_hard", "map.soft_kind", {{"value", excerpt(soft->value)}});
         return std::nullopt;
     }
-    wish.face.plastic = kind == "plastic";
+    options.face.plastic = kind == "plastic";
     const MapKeys keys(diagnostics, metres_per_unit);
     if (const MapKey* depth = entity.find("soft_depth")) {
-        wish.depth_place = depth->place;
+        options.depth_place = depth->place;
         double value = 1.0;
         if (parse_finite(trimmed(depth->value), value) && value <= 0.0) {
             diagnostics.warn(depth->place, "map.then_hard", "map.soft_no_depth");
             return std::nullopt;
         }
-        wish.face.depth_m =
+        options.face.depth_m =
             keys.number_of(entity, "soft_depth", 0.0, kFarthestM, "map.range_length").value_or(0.0) * metres_per_unit;
     }
-    wish.face.stiffness_fraction =
+    options.face.stiffness_fraction =
         keys.number_of(entity, "soft_stiffness", kLeastStiffness, kMostStiffness, "map.range")
-            .value_or(wish.face.stiffness_fraction);
-    wish.face.recovery_s =
+            .value_or(options.face.stiffness_fraction);
+    options.face.recovery_s =
         keys.number_of(entity, "soft_recovery", kShortestRecoveryS, kLongestRecoveryS, "map.range_seconds")
-            .value_or(wish.face.recovery_s);
-    wish.face.yield_n = keys.number_of(entity, "soft_yield", kLeastYieldN, kMostYieldN, "map.range_newtons")
-                            .value_or(wish.face.yield_n);
+            .value_or(options.face.recovery_s);
+    options.face.yield_n = keys.number_of(entity, "soft_yield", kLeastYieldN, kMostYieldN, "map.range_newtons")
+                               .value_or(options.face.yield_n);
     if (const MapKey* side = entity.find("soft_side")) {
         const std::string value = lower_ascii(trimmed(side->value).substr(0, 32));
         const auto found =
             std::find_if(kSides.begin(), kSides.end(), [&](const SideRow& row) { return row.name == value; });
         if (found != kSides.end()) {
-            wish.side = found->direction;
+            options.side = found->direction;
         } else {
             std::vector<std::string> names;
             for (const SideRow& row : kSides) names.emplace_back(row.name);
@@ -66,23 +66,23 @@ std::optional<SoftWish> soft_wish_of(const MapEntity& entity, double metres_per_
                              {{"value", excerpt(side->value)}, {"nearest", nearest_name(value, names)}});
         }
     }
-    return wish;
+    return options;
 }
 
-std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& shape, const std::string& name,
+std::optional<SoftFace> soft_face_of(const SoftOptions& options, const ConvexSolid& shape, const std::string& name,
                                      Diagnostics& diagnostics) {
     const std::string what = name.empty() ? phrase("map.this_thing") : name;
-    SoftFace soft = wish.face;
+    SoftFace soft = options.face;
     double best = kFacesThatWay;
     bool found = false;
     for (std::size_t i = 0; i < shape.planes.size(); ++i)
-        if (const double along = glm::dot(shape.planes[i].normal, wish.side); along > best) {
+        if (const double along = glm::dot(shape.planes[i].normal, options.side); along > best) {
             best = along;
             soft.face = static_cast<std::uint32_t>(i);
             found = true;
         }
     if (!found) {
-        diagnostics.warn(wish.place, "map.then_hard", "map.soft_no_face", {{"name", what}});
+        diagnostics.warn(options.place, "map.then_hard", "map.soft_no_face", {{"name", what}});
         return std::nullopt;
     }
     double lowest = 0.0;  // signed distance from the face to the corner farthest below it
@@ -92,7 +92,7 @@ std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& sh
     const double most = kMostOfThickness * -lowest;
     if (soft.depth_m <= 0.0) soft.depth_m = 0.5 * -lowest;
     if (soft.depth_m > most) {
-        diagnostics.warn(wish.depth_place, "map.then_nine_tenths", "map.soft_too_deep", {{"name", what}});
+        diagnostics.warn(options.depth_place, "map.then_nine_tenths", "map.soft_too_deep", {{"name", what}});
         soft.depth_m = most;
     }
     return soft;

@@ -10,7 +10,7 @@
 namespace handrail::readers {
 
 // The soft face of each brush of an entity, as the keys of the entity state it.
-struct SoftWish {
+struct SoftOptions {
     SoftFace face;             // a depth of 0 stands for half of the thickness
     Vec3 side{0.0, 0.0, 1.0};  // direction of the face that is soft
     TextPlace place;           // place of the key `soft` in the file
@@ -19,10 +19,10 @@ struct SoftWish {
 
 // Reads the keys. Returns nothing if the key `soft` is missing. If its value is unknown or the depth is faulty, reports
 // that and returns nothing; the object then stays hard.
-std::optional<SoftWish> soft_wish_of(const MapEntity& entity, double metres_per_unit, Diagnostics& diagnostics);
+std::optional<SoftOptions> soft_options_of(const MapEntity& entity, double metres_per_unit, Diagnostics& diagnostics);
 
 // Returns the soft face of one brush. Reduces a depth that would leave nothing hard below the soft layer.
-std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& shape, const std::string& name,
+std::optional<SoftFace> soft_face_of(const SoftOptions& options, const ConvexSolid& shape, const std::string& name,
                                      Diagnostics& diagnostics);
 
 }  // namespace handrail::readers

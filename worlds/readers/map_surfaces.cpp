@@ -97,7 +97,7 @@ void MapSurfaces::read_picture(const MapEntity& entity, std::optional<double> de
     const auto [found, is_new] = pictures_.try_emplace(name);
     if (is_new) {
         const Result<std::string> bytes =
-            options_.read_beside ? options_.read_beside(name) : fail(phrase("map.no_folder"), name);
+            options_.read_next_to ? options_.read_next_to(name) : fail(phrase("map.no_folder"), name);
         Result<HeightPicture> picture = bytes ? read_height_picture(*bytes, name) : tl::unexpected(bytes.error());
         if (picture) found->second = std::make_shared<const HeightPicture>(std::move(*picture));
         else

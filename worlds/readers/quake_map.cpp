@@ -573,7 +573,7 @@ private:
     void write_report() {
         ReadReport& report = scene_.report;
         report.brushes += file_.brushes_damaged + file_.primitives;
-        looks_of_.tell_guesses(report);
+        looks_of_.report_guesses(report);
         if (brushes_.dropped_faces() > 0)
             report.simplified.push_back(phrase("map.faces_dropped", {{"n", brushes_.dropped_faces()}}));
         const auto left_out = [&](int count, std::string_view says) {

@@ -54,28 +54,30 @@ Result<Scene> read_world_bytes(const fs::path& path, std::string_view bytes, con
     if (!ours)
         if (const std::string foreign = foreign_by_content(bytes); !foreign.empty()) return fail(foreign, name);
     ReadOptions with_folder = options;
-    if (!with_folder.read_beside)
-        with_folder.read_beside = [&](const std::string& other) { return read_file_beside(path, other, options.stop); };
+    if (!with_folder.read_next_to)
+        with_folder.read_next_to = [&](const std::string& other) {
+            return read_file_next_to(path, other, options.stop);
+        };
     for (const MapReader& reader : kReaders)
         if (reader.accepts(path, bytes)) {
             Result<Scene> scene = reader.read(bytes, name, with_folder);
-            if (scene) ask_about_axes(*scene);
-            if (scene && !options.unit_is_known) ask_about_unit(*scene);
+            if (scene) question_axes(*scene);
+            if (scene && !options.unit_is_known) question_unit(*scene);
             return scene;
         }
     const std::string foreign = foreign_by_ending(path);
     return fail(foreign.empty() ? phrase("reader.other_ending") : foreign, name);
 }
 
-Result<OpenFile> open_file_beside(const fs::path& world, const std::string& other) {
+Result<OpenFile> open_file_next_to(const fs::path& world, const std::string& other) {
     const fs::path name = fs::path(other).lexically_normal();
     if (name.empty() || name.is_absolute() || *name.begin() == ".." || other.find('\0') != std::string::npos)
         return fail(phrase("reader.elsewhere"), other);
     return open_file_within(world.has_parent_path() ? world.parent_path() : fs::path("."), name);
 }
 
-Result<std::string> read_file_beside(const fs::path& world, const std::string& other, const std::stop_token& stop) {
-    const Result<OpenFile> file = open_file_beside(world, other);
+Result<std::string> read_file_next_to(const fs::path& world, const std::string& other, const std::stop_token& stop) {
+    const Result<OpenFile> file = open_file_next_to(world, other);
     return file ? read_whole_file(*file, kLargestNeighbour_bytes, stop) : tl::unexpected(file.error());
 }
 

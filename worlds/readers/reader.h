@@ -25,7 +25,7 @@ struct ReadOptions {
     std::string building;
     // Reads another file of the world, such as a height picture. `name` is relative to the world's own file. If empty,
     // no other files can be read.
-    std::function<Result<std::string>(const std::string& name)> read_beside;
+    std::function<Result<std::string>(const std::string& name)> read_next_to;
     // Called on the reading thread with the progress from 0 to 1; may be empty.
     std::function<void(double fraction)> progress;
     // Called with the current stage, as the key of a text ("import.shapes"); may be empty.
@@ -129,7 +129,7 @@ Result<Scene> read_words(std::string_view bytes, const std::string& file_name, c
 // would be in millimetres, inches and feet.
 Result<Scene> read_world(const std::filesystem::path& path, const ReadOptions& options = {});
 
-// Like read_world, for bytes that were read already; only the name of `path` is used. If options.read_beside is empty,
+// Like read_world, for bytes that were read already; only the name of `path` is used. If options.read_next_to is empty,
 // other files of the world are read from the folder of `path`.
 Result<Scene> read_world_bytes(const std::filesystem::path& path, std::string_view bytes, const ReadOptions& options);
 
@@ -138,8 +138,8 @@ inline constexpr std::size_t kLargestNeighbour_bytes = std::size_t{1} << 27;
 
 // Opens a file that belongs to a world. `name` is relative to the world's own file. Only files in the world's folder or
 // below it are allowed. Links are refused, because they could lead anywhere.
-Result<OpenFile> open_file_beside(const std::filesystem::path& world, const std::string& name);
-Result<std::string> read_file_beside(const std::filesystem::path& world, const std::string& name,
-                                     const std::stop_token& stop);
+Result<OpenFile> open_file_next_to(const std::filesystem::path& world, const std::string& name);
+Result<std::string> read_file_next_to(const std::filesystem::path& world, const std::string& name,
+                                      const std::stop_token& stop);
 
 }  // namespace handrail::readers

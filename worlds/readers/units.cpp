@@ -31,13 +31,13 @@ bool states_nothing(const Scene& scene) {
     return format == "obj" || format == "ply" || format == "stl";
 }
 
-void ask_first(Scene& scene, std::string message, std::string action) {
-    Diagnostic asked;
-    asked.file = scene.source_file;
-    asked.message = std::move(message);
-    asked.action = std::move(action);
+void warn_first(Scene& scene, std::string message, std::string action) {
+    Diagnostic warning;
+    warning.file = scene.source_file;
+    warning.message = std::move(message);
+    warning.action = std::move(action);
     std::vector<Diagnostic>& warnings = scene.report.warnings;
-    warnings.insert(warnings.begin(), std::move(asked));
+    warnings.insert(warnings.begin(), std::move(warning));
     if (warnings.size() > kMostWarnings) warnings.pop_back();
     ++scene.report.warnings_in_all;
 }
@@ -53,7 +53,7 @@ std::optional<double> unit_named(std::string_view word) {
     return std::nullopt;
 }
 
-void ask_about_unit(Scene& scene) {
+void question_unit(Scene& scene) {
     if (scene.bounds_m.empty() || !(scene.metres_per_unit > 0.0)) return;
     const Vec3 size = scene.bounds_m.size_m();
     const double wide_m = std::max(size.x, size.y);
@@ -61,17 +61,17 @@ void ask_about_unit(Scene& scene) {
     const bool odd_width = wide_m < kNarrowestWorld_m || wide_m > kWidestWorld_m;
     if (!odd_width && !(states_nothing(scene) && size.z > kHighestMesh_m)) return;
     const double units = wide_m / scene.metres_per_unit;
-    ask_first(scene,
-              phrase("reader.unit", {{"wide", wide_m},
-                                     {"high", size.z},
-                                     {"mm", units * 0.001},
-                                     {"cm", units * 0.01},
-                                     {"inch", units * kInch_m},
-                                     {"feet", units * kFoot_m}}),
-              phrase("reader.say_unit"));
+    warn_first(scene,
+               phrase("reader.unit", {{"wide", wide_m},
+                                      {"high", size.z},
+                                      {"mm", units * 0.001},
+                                      {"cm", units * 0.01},
+                                      {"inch", units * kInch_m},
+                                      {"feet", units * kFoot_m}}),
+               phrase("reader.say_unit"));
 }
 
-void ask_about_axes(Scene& scene) {
+void question_axes(Scene& scene) {
     constexpr double kThin = 0.6, kFlat = 0.99;
     if (scene.bounds_m.empty() || !states_nothing(scene)) return;
     const Vec3 size = scene.bounds_m.size_m();
@@ -81,8 +81,8 @@ void ask_about_axes(Scene& scene) {
         for (int axis = 0; axis < 3; ++axis)
             if (std::abs(surface.normal[axis]) > kFlat) area_m2_of[axis] += area_m2(surface.polygon);
     if (area_m2_of.y > area_m2_of.z && area_m2_of.y > area_m2_of.x)
-        ask_first(scene, phrase("reader.on_its_side", {{"deep", size.y}, {"high", size.z}}),
-                  phrase("reader.say_upright"));
+        warn_first(scene, phrase("reader.on_its_side", {{"deep", size.y}, {"high", size.z}}),
+                   phrase("reader.say_upright"));
 }
 
 }  // namespace handrail::readers

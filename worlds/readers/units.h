@@ -17,10 +17,10 @@ std::optional<double> unit_named(std::string_view word);
 
 // If the world is over 2 km or under 2 m wide, or a mesh is over 100 m high, inserts a warning at the front of the
 // report. The warning states the width as read and in other units.
-void ask_about_unit(Scene& scene);
+void question_unit(Scene& scene);
 // If a mesh seems to lie on its side, inserts a warning at the front of the report. Such a mesh is thin from south to
 // north, and most of its flat area faces in that direction. Formats without a stated axis are often written with y
 // upwards, which causes this.
-void ask_about_axes(Scene& scene);
+void question_axes(Scene& scene);
 
 }  // namespace handrail::readers

@@ -25,7 +25,7 @@ std::string_view key_of(ToCheck what) {
             return "honest.room_without_name";
         case ToCheck::DoorCutFree:
             return "honest.door_cut_free";
-        case ToCheck::RoomWithoutWay:
+        case ToCheck::RoomWithoutRoute:
             return "honest.room_without_way";
     }
     return "honest.odd_name";
@@ -63,7 +63,7 @@ void note_rooms(const StatedBuilding& stated, HonestReport& report) {
     for (std::uint32_t r = 0; r < stated.rooms.size(); ++r) {
         const StatedRoom& room = stated.rooms[r];
         const auto check = [&](ToCheck what) { report.check.push_back({what, r, room.at_m, room.source}); };
-        if (!led_to[r]) check(ToCheck::RoomWithoutWay);
+        if (!led_to[r]) check(ToCheck::RoomWithoutRoute);
         if (is_oddly_named(room)) check(ToCheck::OddName);
         if (room.name.empty()) check(ToCheck::RoomWithoutName);
     }
@@ -72,7 +72,7 @@ void note_rooms(const StatedBuilding& stated, HonestReport& report) {
 }  // namespace
 
 bool is_of_a_room(ToCheck what) {
-    return what == ToCheck::RoomWithoutWay || what == ToCheck::OddName || what == ToCheck::RoomWithoutName;
+    return what == ToCheck::RoomWithoutRoute || what == ToCheck::OddName || what == ToCheck::RoomWithoutName;
 }
 
 std::string_view word_of(ToCheck what) { return key_of(what).substr(std::string_view("honest.").size()); }

@@ -16,13 +16,13 @@ namespace handrail {
 // Ordered by severity: first faults that stop a walker, then faults that make announcements wrong, then oddities that
 // may exist in the building itself.
 enum class ToCheck : std::uint8_t {
-    MissingPart,      // a part has a shape in the file, but is missing here in whole or in part
-    ImpassableDoor,   // a door that a walker could not pass even after obstacles were cut away
-    DoorToNoRoom,     // a door with no room of the file on either side
-    OddName,          // a room that contains stairs, although its name does not say so
-    RoomWithoutName,  // a room with neither a name nor a number
-    DoorCutFree,      // a doorway from which an obstacle was cut away
-    RoomWithoutWay,   // a room that no door or stairs of the file lead to; it may be open to the room next to it
+    MissingPart,       // a part has a shape in the file, but is missing here in whole or in part
+    ImpassableDoor,    // a door that a walker could not pass even after obstacles were cut away
+    DoorToNoRoom,      // a door with no room of the file on either side
+    OddName,           // a room that contains stairs, although its name does not say so
+    RoomWithoutName,   // a room with neither a name nor a number
+    DoorCutFree,       // a doorway from which an obstacle was cut away
+    RoomWithoutRoute,  // a room that no door or stairs of the file lead to; it may be open to the room next to it
 };
 
 struct CheckPoint {

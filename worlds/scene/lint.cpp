@@ -86,7 +86,7 @@ Finish finish_of(const Material& material) {
     return finish;
 }
 
-bool can_be_told_apart(const Finish& a, const Finish& b) {
+bool are_distinguishable(const Finish& a, const Finish& b) {
     return reaches(a.stiffness_fraction, b.stiffness_fraction, kStiffnessApart) ||
            reaches(a.friction_mu, b.friction_mu, kFrictionApart) || textures_differ(a, b);
 }
@@ -128,12 +128,13 @@ std::vector<AlikeMaterials> alike_materials(const Scene& scene) {
     std::vector<AlikeMaterials> alike;
     const std::vector<std::vector<Aabb>> boxes = visible(scene);
     const std::vector<std::size_t> used = named(scene, boxes);
-    std::set<std::string> told;
+    std::set<std::string> reported;
     for (std::size_t a = 0; a < used.size(); ++a)
         for (std::size_t b = 0; b < a; ++b) {
             const Finish one = finish_of(scene.materials[used[b]]), other = finish_of(scene.materials[used[a]]);
-            if (one.name == other.name || can_be_told_apart(one, other)) continue;
-            if (!told.insert(one.name < other.name ? one.name + "/" + other.name : other.name + "/" + one.name).second)
+            if (one.name == other.name || are_distinguishable(one, other)) continue;
+            if (!reported.insert(one.name < other.name ? one.name + "/" + other.name : other.name + "/" + one.name)
+                     .second)
                 continue;
             alike.push_back({one.name, other.name,
                              phrase("lint.alike", {{"one", capitalised(spoken_material(one.name))},

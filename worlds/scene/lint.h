@@ -31,7 +31,7 @@ struct Finish {
 Finish finish_of(const Material& material);
 Finish finish_of(const MaterialSpec& spec);
 
-bool can_be_told_apart(const Finish& a, const Finish& b);
+bool are_distinguishable(const Finish& a, const Finish& b);
 
 // Two named materials of a world that a hand cannot distinguish. The sentence says what to change.
 struct AlikeMaterials {

@@ -7,16 +7,16 @@
 namespace handrail {
 namespace {
 
-constexpr double kBeside_m = 0.3;    // a part within this distance of the stairs in plan may be treated as above them
+constexpr double kNextTo_m = 0.3;    // a part within this distance of the stairs in plan may be treated as above them
 constexpr double kOverFoot_m = 1.0;  // a part whose underside is less than this above the foot of the stairs is a wall
 // A part whose top is more than this above the head of the stairs is a wall or a roof.
 constexpr double kOverHead_m = 0.3;
 constexpr double kSeam_m = 0.01;  // greatest gap between two pieces of one wall
 
-// Returns the box of the flight, widened in plan by kBeside_m.
+// Returns the box of the flight, widened in plan by kNextTo_m.
 Aabb beside(Aabb stairs) {
-    stairs.min_m -= Vec3(kBeside_m, kBeside_m, 0.0);
-    stairs.max_m += Vec3(kBeside_m, kBeside_m, 0.0);
+    stairs.min_m -= Vec3(kNextTo_m, kNextTo_m, 0.0);
+    stairs.max_m += Vec3(kNextTo_m, kNextTo_m, 0.0);
     return stairs;
 }
 

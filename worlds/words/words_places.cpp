@@ -85,10 +85,10 @@ void WordsPlan::set_sizes() {
             warn(line, phrase("rooms_text.no_size", {{"name", room_words(room)}}), phrase("rooms_text.then_size"));
             continue;
         }
-        const Vec2 wish(size->numbers[0], size->numbers[1]);
-        const bool fits =
-            wish.x >= kLeastSide_m && wish.y >= kLeastSide_m && wish.x <= kMostSide_m && wish.y <= kMostSide_m;
-        if (fits) room.size_m = wish;
+        const Vec2 stated_m(size->numbers[0], size->numbers[1]);
+        const bool fits = stated_m.x >= kLeastSide_m && stated_m.y >= kLeastSide_m && stated_m.x <= kMostSide_m &&
+                          stated_m.y <= kMostSide_m;
+        if (fits) room.size_m = stated_m;
         else warn(line, phrase("rooms_text.odd_size", {{"name", room_words(room)}}), phrase("rooms_text.then_size"));
     }
 }
@@ -141,11 +141,11 @@ void WordsPlan::place_by_assumption(std::size_t r) {
 }
 
 void WordsPlan::place_rooms() {
-    struct Wish {
+    struct Relation {
         const SaidPart* part = nullptr;
         std::size_t other = kNoRoom;
     };
-    std::vector<Wish> wishes(rooms_.size());
+    std::vector<Relation> relations(rooms_.size());
     for (std::size_t r = 0; r < rooms_.size(); ++r) {
         WordRoom& room = rooms_[r];
         if (!room.rings.empty()) continue;
@@ -169,15 +169,16 @@ void WordsPlan::place_rooms() {
                  phrase("rooms_text.then_place_open"));
             continue;
         }
-        wishes[r] = {where, other};
+        relations[r] = {where, other};
     }
-    if (rooms_[0].rings.empty() && !wishes[0].part) set_box(rooms_[0], Vec2(0.0));
+    if (rooms_[0].rings.empty() && !relations[0].part) set_box(rooms_[0], Vec2(0.0));
     for (;;) {
         bool moved = false, open = false;
         for (std::size_t r = 0; r < rooms_.size(); ++r) {
             if (!rooms_[r].rings.empty()) continue;
             ++work_;
-            const bool done = wishes[r].part && place_against(rooms_[r], *wishes[r].part, rooms_[wishes[r].other]);
+            const bool done =
+                relations[r].part && place_against(rooms_[r], *relations[r].part, rooms_[relations[r].other]);
             moved |= done;
             open |= !done;
         }
@@ -187,7 +188,7 @@ void WordsPlan::place_rooms() {
         // other in a circle, chooses the first of them.
         std::size_t next = kNoRoom;
         for (std::size_t r = 0; r < rooms_.size(); ++r)
-            if (rooms_[r].rings.empty() && (next == kNoRoom || (wishes[next].part && !wishes[r].part))) next = r;
+            if (rooms_[r].rings.empty() && (next == kNoRoom || (relations[next].part && !relations[r].part))) next = r;
         place_by_assumption(next);
     }
 }
@@ -291,9 +292,9 @@ void WordsPlan::set_raises() {
     for (WordRoom& room : rooms_) {
         const SaidPart *raised = room.said.words.find(Statement::Raised), *sunk = room.said.words.find(Statement::Sunk);
         if (!raised && !sunk) continue;
-        const double wish_m = raised ? raised->numbers[0] : -sunk->numbers[0];
-        room.raised_m = std::clamp(wish_m, -kMostRaise_m, kMostRaise_m);
-        if (*room.raised_m != wish_m)
+        const double stated_m = raised ? raised->numbers[0] : -sunk->numbers[0];
+        room.raised_m = std::clamp(stated_m, -kMostRaise_m, kMostRaise_m);
+        if (*room.raised_m != stated_m)
             warn(room.said.line, phrase("rooms_text.odd_raise", {{"name", room_words(room)}}),
                  phrase("rooms_text.then_raise", {{"metres", std::abs(*room.raised_m)}}));
     }

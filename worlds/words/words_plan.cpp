@@ -83,12 +83,12 @@ Result<floorplan::FloorPlan> WordsPlan::build(std::string_view bytes) {
     for (const Said& said : starts_) add_start(said);
     constexpr std::size_t kMostWork = 300'000'000;
     if (work_ > kMostWork) return fail(phrase("rooms_text.too_large"), file_);
-    const auto told = [&](std::string_view key, int count) {
+    const auto warn_count = [&](std::string_view key, int count) {
         if (count > 0) plan_.guessed.push_back(phrase(key, {{"n", count}}));
     };
-    told("rooms_text.guessed_doors", middle_doors_);
-    told("rooms_text.guessed_sizes", usual_sizes_);
-    told("rooms_text.guessed_places", without_place_);
+    warn_count("rooms_text.guessed_doors", middle_doors_);
+    warn_count("rooms_text.guessed_sizes", usual_sizes_);
+    warn_count("rooms_text.guessed_places", without_place_);
     if (steps_) plan_.guessed.push_back(phrase("rooms_text.guessed_step", {{"cm", 100.0 * speaker_.step_m}}));
     if (left_and_right_) plan_.guessed.push_back(phrase("rooms_text.guessed_left"));
     return std::move(plan_);

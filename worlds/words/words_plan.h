@@ -87,7 +87,7 @@ private:
     std::size_t room_over(std::size_t room, const std::string& name, const Vec2& place) const;
     void set_raises();
     std::size_t room_from(std::size_t room, const Said& said) const;
-    bool told_before(const floorplan::PlanDoor& door, bool placed) const;
+    bool stated_before(const floorplan::PlanDoor& door, bool placed) const;
     InWall place_of_window(const Said& said, const WordRoom& room);
     void add_windows(std::size_t room);
     void add_things(std::size_t room);

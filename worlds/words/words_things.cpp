@@ -8,7 +8,7 @@
 namespace handrail::words {
 namespace {
 
-constexpr double kBesideDoor_m = 0.15, kWindow_m = 1.2, kWindowHigh_m = 1.2, kSill_m = 0.9, kProud_m = 0.02;
+constexpr double kNextToDoor_m = 0.15, kWindow_m = 1.2, kWindowHigh_m = 1.2, kSill_m = 0.9, kProud_m = 0.02;
 constexpr double kLeastThing_m = 0.05, kMostThing_m = 200.0, kOut_m = 0.4;
 constexpr std::size_t kMostThings = 30'000;
 // If a room contains more things than this, no free place is searched for, because the time grows with the square of
@@ -123,7 +123,7 @@ double WordsPlan::along_wall(const Said& said, const WordRoom& room, const Borde
     return at;
 }
 
-bool WordsPlan::told_before(const floorplan::PlanDoor& door, bool placed) const {
+bool WordsPlan::stated_before(const floorplan::PlanDoor& door, bool placed) const {
     constexpr double kSame_m = 0.6;
     for (const floorplan::PlanDoor& other : plan_.doors) {
         if (other.levels != door.levels || other.spaces != door.spaces || other.line == door.line) continue;
@@ -335,7 +335,7 @@ void WordsPlan::add_door(std::size_t r, const Said& said) {
              to_room == kNoRoom ? std::string() : name_key(rooms_[to_room].said.words.name, speaker_.language)});
     };
     // Leaves out the second door if the author described one door in both of its rooms.
-    if (told_before(door, placed)) return;
+    if (stated_before(door, placed)) return;
     note(r, other);
     if (there) note(other, r);
     plan_.doors.push_back(std::move(door));
@@ -563,7 +563,7 @@ Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& siz
         if (!door) return no_such(phrase("rooms_text.no_door", {{"name", room_words(room)}}));
         turn_to(door->side);
         const bool level = door->side == 0 || door->side == 4;
-        const double away = 0.5 * door->width_m + kBesideDoor_m + 0.5 * (level ? size_m.x : size_m.y);
+        const double away = 0.5 * door->width_m + kNextToDoor_m + 0.5 * (level ? size_m.x : size_m.y);
         const double at = along_of(door->side, door->at);
         const double end = (level ? most.x : most.y) - 0.5 * (level ? size_m.x : size_m.y);
         return against(door->side, at + away <= end ? at + away : at - away);

@@ -22,7 +22,7 @@ constexpr double kBeforeFeet_m = 0.06;  // the walker pushes a body that is at m
 // Duration of one push order; longer than a frame, so that each push lasts until the next.
 constexpr double kPushFor_s = 0.05;
 constexpr double kGivesWayWithin_s = 0.5;  // a pushed body that has not moved after this time blocks the walker
-constexpr double kGone_m = 0.01;
+constexpr double kPushedOn_m = 0.01;
 // A body whose top is lower than this above the feet is underfoot and does not block the walker.
 constexpr double kUnderFeet_m = 0.01;
 constexpr double kOff_m_per_s = 0.3;
@@ -73,7 +73,7 @@ void Bodies::enter_world(std::shared_ptr<const render::DynamicsScene> scene, dou
         hand_engines_[which] =
             std::make_shared<servo::HandBodyServo>(scene_, engine_->hand(which), which, world_.scene->placed.size());
     walker_m_ = Vec3(std::numeric_limits<double>::infinity());
-    tell_engine();
+    update_engine();
     if (own && how_.clock) own->start(*how_.clock);
     else stepped_ = own;
 }
@@ -91,7 +91,7 @@ Placement Bodies::middle(std::uint32_t body) const {
 // Returns true if the line of sight is free from the eyes to the body's nearest point or to its middle. The body itself
 // is not an obstacle.
 bool Bodies::in_sight(std::uint32_t body, const Aabb& box_m) const {
-    const Vec3 eye = context_.body.feet_m() + Vec3(0.0, 0.0, kLookHeight_m);
+    const Vec3 eye = context_.avatar.feet_m() + Vec3(0.0, 0.0, kLookHeight_m);
     const auto seen = [&](const Vec3& at_m) {
         const TraceHit hit = world_.solids->trace(eye, at_m, {}, true);
         return !hit.hit || hit.feature == scene_->bodies[body].feature;
@@ -105,13 +105,13 @@ std::uint32_t Bodies::in_reach() const {
     if (context_.hands.tool.touches())
         if (const std::uint32_t touched = body_of(context_.hands.tool.touched()); touched != render::kNoBody)
             return touched;
-    const Vec3 feet = context_.body.feet_m();
-    const double top_m = context_.body.walker->size().height_m;
-    if (const auto seen = look(*world_.solids, feet, kLookHeight_m, context_.body.heading_rad, kArmsReach_m))
+    const Vec3 feet = context_.avatar.feet_m();
+    const double top_m = context_.avatar.walker->size().height_m;
+    if (const auto seen = look(*world_.solids, feet, kLookHeight_m, context_.avatar.heading_rad, kArmsReach_m))
         if (const std::uint32_t ahead = body_of(seen->feature);
             ahead != render::kNoBody || mover_of(world_, seen->feature) >= 0)
             return ahead;
-    const Vec3 forward = forward_of_heading(context_.body.heading_rad);
+    const Vec3 forward = forward_of_heading(context_.avatar.heading_rad);
     std::uint32_t nearest = render::kNoBody;
     double nearest_m = kArmsReach_m;
     for (std::uint32_t i = 0; i < scene_->bodies.size(); ++i) {
@@ -160,7 +160,7 @@ void Bodies::restart() {
 }
 
 // Sends the positions of doors and of the walker to the engine.
-void Bodies::tell_engine() {
+void Bodies::update_engine() {
     std::vector<Placement> now;
     for (const render::DrivenThing& thing : scene_->driven) now.push_back(world_.things.at(thing.haptic));
     if (now != driven_) {
@@ -169,14 +169,15 @@ void Bodies::tell_engine() {
         engine_->drive(poses);
         driven_ = std::move(now);
     }
-    if (!context_.body.walker) return;
+    if (!context_.avatar.walker) return;
     // A small ball could roll under the round end of the walker's capsule, below the soles. To prevent this, the
     // capsule reaches into the floor. While the walker is in the air or stands on a body, the capsule ends at the
     // soles.
-    const bool lifted = !context_.body.walker->state().on_ground || body_of(context_.body.ground) != render::kNoBody;
-    const Vec3 feet = context_.body.feet_m();
+    const bool lifted =
+        !context_.avatar.walker->state().on_ground || body_of(context_.avatar.ground) != render::kNoBody;
+    const Vec3 feet = context_.avatar.feet_m();
     if (feet == walker_m_ && lifted == walker_lifted_) return;
-    const WalkerSize& size = context_.body.walker->size();
+    const WalkerSize& size = context_.avatar.walker->size();
     const double into_m = lifted ? 0.0 : size.radius_m;
     dynamics::BodyEngine::Order order;
     order.kind = dynamics::BodyEngine::Order::Kind::Walker;
@@ -196,7 +197,7 @@ void Bodies::step_engine(double now_s) {
 void Bodies::tick(double now_s) {
     contract_pre(std::isfinite(now_s));
     if (!engine_) return;
-    tell_engine();
+    update_engine();
     step_engine(now_s);
     hand_grip_.tick(*scene_, now_s);
     hear(now_s);
@@ -266,13 +267,13 @@ void Bodies::shove(std::uint32_t body, const Vec3& speed_m_per_s) {
     engine_->order(order);
 }
 
-// Removes the part of `wish_m_per_s` that leads into a body, and pushes that body away. The engine lets bodies overlap
-// a little. The walker can pass through such an overlap, so nobody stays trapped. Returns the body that the walker
-// meets, or kNoBody.
-std::uint32_t Bodies::keep_apart(Vec3& wish_m_per_s) {
+// Removes the part of `intended_m_per_s` that leads into a body, and pushes that body away. The engine lets bodies
+// overlap a little. The walker can pass through such an overlap, so nobody stays trapped. Returns the body that the
+// walker meets, or kNoBody.
+std::uint32_t Bodies::keep_apart(Vec3& intended_m_per_s) {
     std::uint32_t met = render::kNoBody;
-    const Vec3 feet = context_.body.feet_m();
-    const WalkerShape shape = context_.body.walker->shape();
+    const Vec3 feet = context_.avatar.feet_m();
+    const WalkerShape shape = context_.avatar.walker->shape();
     for (std::uint32_t i = 0; i < scene_->bodies.size(); ++i) {
         const Aabb& box = world_.solids->box_of_placed(scene_->bodies[i].haptic);
         const Vec3 nearest = glm::clamp(feet, box.min_m, box.max_m);
@@ -280,14 +281,14 @@ std::uint32_t Bodies::keep_apart(Vec3& wish_m_per_s) {
             box.max_m.z < feet.z + kUnderFeet_m || box.min_m.z > feet.z + shape.height_m)
             continue;
         const std::size_t thing = scene_->bodies[i].haptic;
-        if (!meets_body(world_.scene->placed[thing].model, world_.things.at(thing), feet, shape)) continue;
+        if (!meets_walker(world_.scene->placed[thing].model, world_.things.at(thing), feet, shape)) continue;
         Vec3 out = feet - nearest;
         if (std::hypot(out.x, out.y) < 1e-3) out = feet - box.centre_m();
         out.z = 0.0;
         if (glm::length(out) < 1e-6) continue;
         out = glm::normalize(out);
-        if (const double into = -glm::dot(wish_m_per_s, out); into > 0.0) {
-            wish_m_per_s += out * into;
+        if (const double into = -glm::dot(intended_m_per_s, out); into > 0.0) {
+            intended_m_per_s += out * into;
             met = i;
         }
         shove(i, out * -kOff_m_per_s);
@@ -295,11 +296,11 @@ std::uint32_t Bodies::keep_apart(Vec3& wish_m_per_s) {
     return met;
 }
 
-void Bodies::tell_in_the_way(std::uint32_t body, double now_s) {
-    const bool told = body == in_the_way_ && now_s - in_the_way_s_ < kStrained_s;
+void Bodies::announce_in_the_way(std::uint32_t body, double now_s) {
+    const bool announced = body == in_the_way_ && now_s - in_the_way_s_ < kStrained_s;
     in_the_way_ = body;
     in_the_way_s_ = now_s;
-    if (told) return;
+    if (announced) return;
     cues::CueRequest bump;
     bump.kind = cues::CueRequestKind::Bump;
     bump.time_s = now_s;
@@ -309,16 +310,16 @@ void Bodies::tell_in_the_way(std::uint32_t body, double now_s) {
     context_.cues.cue(std::move(bump));
 }
 
-bool Bodies::push_ahead(Vec3& wish_m_per_s, double now_s) {
+bool Bodies::push_ahead(Vec3& intended_m_per_s, double now_s) {
     if (!engine_) return false;
-    const double wished = std::hypot(wish_m_per_s.x, wish_m_per_s.y);
-    const std::uint32_t met = keep_apart(wish_m_per_s);
-    const double speed = std::hypot(wish_m_per_s.x, wish_m_per_s.y);
-    if (met != render::kNoBody && speed < kHeldBack * wished) tell_in_the_way(met, now_s);
+    const double intended = std::hypot(intended_m_per_s.x, intended_m_per_s.y);
+    const std::uint32_t met = keep_apart(intended_m_per_s);
+    const double speed = std::hypot(intended_m_per_s.x, intended_m_per_s.y);
+    if (met != render::kNoBody && speed < kHeldBack * intended) announce_in_the_way(met, now_s);
     if (!(speed > 0.0)) return false;
-    const Vec3 along = Vec3(wish_m_per_s.x, wish_m_per_s.y, 0.0) / speed;
-    const Vec3 feet = context_.body.feet_m();
-    const TraceHit hit = world_.solids->trace(feet, feet + along * kBeforeFeet_m, context_.body.walker->shape());
+    const Vec3 along = Vec3(intended_m_per_s.x, intended_m_per_s.y, 0.0) / speed;
+    const Vec3 feet = context_.avatar.feet_m();
+    const TraceHit hit = world_.solids->trace(feet, feet + along * kBeforeFeet_m, context_.avatar.walker->shape());
     const std::uint32_t body = hit.hit ? body_of(hit.feature) : render::kNoBody;
     if (body == render::kNoBody || body == grip_.held()) return false;
     const render::DynamicsBody& is = scene_->bodies[body];
@@ -327,7 +328,7 @@ bool Bodies::push_ahead(Vec3& wish_m_per_s, double now_s) {
         if (known.feature == is.feature) free = &known;
     const bool begins = body != pushed_ || now_s - pushed_s_ > kStrained_s;
     const Vec3 at = middle(body).position_m;
-    if (begins || glm::length(at - pushed_from_m_) > kGone_m) {
+    if (begins || glm::length(at - pushed_from_m_) > kPushedOn_m) {
         pushed_since_s_ = now_s;
         pushed_from_m_ = at;
     }

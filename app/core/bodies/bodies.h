@@ -47,14 +47,14 @@ public:
     // Reads the engine's results and advances the grips. Call it before the positions of the things are sent to the
     // servo.
     void tick(double now_s);
-    // Call this function before the walker moves with the velocity `wish_m_per_s`. It pushes the thing in front of the
-    // walker if that thing is light enough, and returns true while the thing moves. It also pushes away a body that has
-    // been driven into the walker, and removes the part of `wish_m_per_s` that leads into that body.
-    bool push_ahead(Vec3& wish_m_per_s, double now_s);
+    // Call this function before the walker moves with the velocity `intended_m_per_s`. It pushes the thing in front of
+    // the walker if that thing is light enough, and returns true while the thing moves. It also pushes away a body that
+    // has been driven into the walker, and removes the part of `intended_m_per_s` that leads into that body.
+    bool push_ahead(Vec3& intended_m_per_s, double now_s);
 
     // Prevents the grip from announcing where the held thing came to rest. A game calls this because the game announces
     // the place.
-    void step_is_told() { grip_.step_is_told(); }
+    void step_is_announced() { grip_.step_is_announced(); }
     // Silently moves every thing back to its position in the world file.
     void restart();
     bool any_moving() const { return moving_; }
@@ -92,10 +92,10 @@ private:
     Placement middle(std::uint32_t body) const;
     std::uint32_t in_reach() const;
     bool in_sight(std::uint32_t body, const Aabb& box_m) const;
-    void tell_engine();
+    void update_engine();
     void shove(std::uint32_t body, const Vec3& speed_m_per_s);
-    std::uint32_t keep_apart(Vec3& wish_m_per_s);
-    void tell_in_the_way(std::uint32_t body, double now_s);
+    std::uint32_t keep_apart(Vec3& intended_m_per_s);
+    void announce_in_the_way(std::uint32_t body, double now_s);
     void hear(double now_s);
     void take_places(double now_s);
     void put_back(double now_s);

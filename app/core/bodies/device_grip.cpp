@@ -41,21 +41,21 @@ bool DeviceGrip::act(Command command, const render::DynamicsScene& scene, double
     for (std::size_t which = 0; which < sides_.size(); ++which) {
         if (!tool(which).touches() || render::body_of(scene, tool(which).touched()) == render::kNoBody) continue;
         tuning(which).hold = true;
-        sides_[which].asked_s = now_s;
+        sides_[which].requested_s = now_s;
         return true;
     }
     return false;
 }
 
-void DeviceGrip::told_held(const render::DynamicsScene& scene, std::uint32_t body, double now_s) {
+void DeviceGrip::announce_held(const render::DynamicsScene& scene, std::uint32_t body, double now_s) {
     const render::DynamicsBody& is = scene.bodies[body];
     context_.play(cues::SoundKind::Grab, now_s);
     std::string said =
         phrase("bodies.held", {{"name", body_name(context_, is.feature)}, {"mass", mass_words(is.nature.mass_kg)}});
-    if (!gain_told_) {
+    if (!gain_announced_) {
         const double gain = servo::felt_gain(hands_.tuning.force_ceiling_n, context_.settings.dynamics.strength_n);
         said += " " + phrase("bodies.felt_gain", {{"newtons", std::round(1.0 / gain)}});
-        gain_told_ = true;
+        gain_announced_ = true;
     }
     context_.answer(std::move(said), now_s);
 }
@@ -72,10 +72,10 @@ void DeviceGrip::tick(const render::DynamicsScene& scene, double now_s) {
             context_.say(heavy_words(context_, body.feature, body.nature.mass_kg), cues::SpeechClass::Answer, now_s);
         }
         const std::uint32_t was = std::exchange(side.held, is.holds < scene.bodies.size() ? is.holds : render::kNoBody);
-        if (side.held == render::kNoBody && now_s - side.asked_s > kAnswers_s) tuning(which).hold = false;
+        if (side.held == render::kNoBody && now_s - side.requested_s > kAnswers_s) tuning(which).hold = false;
         if (was == side.held) continue;
         if (side.held != render::kNoBody) {
-            told_held(scene, side.held, now_s);
+            announce_held(scene, side.held, now_s);
         } else {
             tuning(which).hold = false;
             context_.play(cues::SoundKind::LetGo, now_s);

@@ -28,15 +28,15 @@ private:
     struct Side {
         std::uint32_t held = render::kNoBody, heavies = 0;
         bool heavies_known = false;
-        double asked_s = -1e9;
+        double requested_s = -1e9;
     };
     const servo::ToolState& tool(std::size_t which) const { return which == 0 ? hands_.tool : hands_.left_tool; }
     servo::BodyTuning& tuning(std::size_t which) { return which == 0 ? hands_.tuning.bodies : hands_.left_bodies; }
-    void told_held(const render::DynamicsScene& scene, std::uint32_t body, double now_s);
+    void announce_held(const render::DynamicsScene& scene, std::uint32_t body, double now_s);
 
     HandsState& hands_;
     std::array<Side, 2> sides_;
-    bool gain_told_ = false;
+    bool gain_announced_ = false;
 };
 
 }  // namespace handrail::core

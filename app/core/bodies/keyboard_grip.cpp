@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/core/bodies/body_words.h"
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "worlds/base/human_measures.h"
 #include "worlds/base/language.h"
 
@@ -43,10 +43,10 @@ void KeyboardGrip::take(dynamics::BodyEngine& engine, const render::DynamicsScen
     context_.play(cues::SoundKind::Grab, now_s);
     std::string said =
         phrase("bodies.held", {{"name", body_name(context_, is.feature)}, {"mass", mass_words(is.nature.mass_kg)}});
-    if (!hints_told_)
+    if (!hints_announced_)
         said +=
             " " + phrase(is.ball ? "bodies.ball_hint" : "bodies.hint", {{"key", context_.keys.keys_of(Command::Use)}});
-    hints_told_ = true;
+    hints_announced_ = true;
     context_.answer(std::move(said), now_s);
 }
 
@@ -77,7 +77,7 @@ void KeyboardGrip::lead(dynamics::BodyEngine& engine) const {
 // On a map, "ahead" is north; otherwise it is the direction that the walker faces.
 Vec3 KeyboardGrip::way_of(Command command) const {
     const double ahead =
-        context_.settings.workspace.frame == settings::FrameChoice::Map ? 0.0 : context_.body.heading_goal_rad;
+        context_.settings.workspace.frame == settings::FrameChoice::Map ? 0.0 : context_.avatar.heading_goal_rad;
     switch (command) {
         case Command::Forward:
             return forward_of_heading(ahead);

@@ -32,7 +32,7 @@ public:
     bool act(Command command, dynamics::BodyEngine& engine, const render::DynamicsScene& scene, const Placement& middle,
              double now_s, int times);
     // Ends the step without an announcement. A game calls this because the game announces where the thing came to rest.
-    void step_is_told() { stepped_s_.reset(); }
+    void step_is_announced() { stepped_s_.reset(); }
     // Announces the result of a step when the thing comes to rest. `hit` is the feature that the thing hit last, or
     // kNoFeature.
     void tick(dynamics::BodyEngine& engine, const render::DynamicsScene& scene, const Placement& middle, FeatureId hit,
@@ -54,7 +54,7 @@ private:
     std::optional<double> stepped_s_;  // start of the step that is under way; no value: none is
     Vec3 last_m_{0.0};
     double rests_since_s_ = 0.0;
-    bool hints_told_ = false;
+    bool hints_announced_ = false;
 };
 
 }  // namespace handrail::core

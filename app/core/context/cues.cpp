@@ -21,7 +21,7 @@ void Cues::say(std::string text, cues::SpeechClass speech_class, double now_s) {
     cue(std::move(request));
 }
 
-void Cues::tell(cues::SpeechTopic topic, std::string text, double now_s, const Telling& how) {
+void Cues::announce(cues::SpeechTopic topic, std::string text, double now_s, const AnnounceOptions& how) {
     const bool guidance = !how.answers && (topic == cues::SpeechTopic::Place || topic == cues::SpeechTopic::Arrival ||
                                            topic == cues::SpeechTopic::Leg);
     cues::CueRequest request;

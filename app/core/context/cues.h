@@ -17,25 +17,25 @@ cues::CueRequest sound_at(cues::SoundKind kind, const Vec3& place_m, double now_
 
 class Cues {
 public:
-    // Sounds without a place are played at the ears of `body`, which must outlive this object.
-    explicit Cues(const WalkerState& body) : body_(body) {}
+    // Sounds without a place are played at the ears of `avatar`, which must outlive this object.
+    explicit Cues(const WalkerState& avatar) : avatar_(avatar) {}
 
     void say(std::string text, cues::SpeechClass speech_class, double now_s);
-    // Options of tell(), which says a line about a topic. The topic determines the speech class. `anew`: the line was
-    // cut off before, so it may be repeated. `place_m`: the place that the line is about, if any.
-    struct Telling {
+    // Options of announce(), which says a line about a topic. The topic determines the speech class. `anew`: the line
+    // was cut off before, so it may be repeated. `place_m`: the place that the line is about, if any.
+    struct AnnounceOptions {
         bool anew = false;
         // True: the person pressed a key for this line or was waiting for it, so it is said at every verbosity.
         bool answers = false;
         std::optional<Vec3> place_m = {};
     };
-    void tell(cues::SpeechTopic topic, std::string text, double now_s, const Telling& how);
+    void announce(cues::SpeechTopic topic, std::string text, double now_s, const AnnounceOptions& how);
     // Says a warning that a walking person needs at once: a drop, stairs, or something that is shut or blocks the path.
     // It is said each time, even if it was said shortly before.
     void warn(std::string text, double now_s) { say(std::move(text), cues::SpeechClass::Warning, now_s); }
     // Says the response to what the person requested or did.
     void answer(std::string text, double now_s) { say(std::move(text), cues::SpeechClass::Answer, now_s); }
-    void play(cues::SoundKind kind, double now_s) { cue(sound_at(kind, body_.ears_m(), now_s)); }
+    void play(cues::SoundKind kind, double now_s) { cue(sound_at(kind, avatar_.ears_m(), now_s)); }
     void play_at(cues::SoundKind kind, const Vec3& place_m, double now_s) { cue(sound_at(kind, place_m, now_s)); }
     // Stops the present speech, except alarms and warnings. Call it when a key is pressed.
     void quiet(double now_s);
@@ -45,7 +45,7 @@ public:
     std::vector<cues::CueRequest> waiting;  // requests that the owner has not removed yet
 
 private:
-    const WalkerState& body_;
+    const WalkerState& avatar_;
 };
 
 }  // namespace handrail::core

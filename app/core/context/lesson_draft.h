@@ -25,8 +25,8 @@ struct LessonDraft {
     std::vector<Place> landmarks;
     std::vector<Place> stops;  // stops of the route, in order
     // Landmarks that the learner must locate from the base: all landmarks except those at the base itself.
-    std::vector<std::string> asked;
-    std::vector<std::string> on_route;  // those of `asked` that the route passes, in the order of the route
+    std::vector<std::string> requested;
+    std::vector<std::string> on_route;  // those of `requested` that the route passes, in the order of the route
     std::string world_checksum;         // checksum of the world file; empty: not known
 };
 

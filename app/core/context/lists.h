@@ -17,9 +17,9 @@ public:
         if (before_open) before_open();
         cues_.answer(dialogue.open(std::move(list)), now_s);
     }
-    void ask(TextSpec question, double now_s) {
+    void request_text(TextSpec question, double now_s) {
         if (before_open) before_open();
-        cues_.answer(dialogue.ask(std::move(question)), now_s);
+        cues_.answer(dialogue.request_text(std::move(question)), now_s);
     }
 
     Dialogue dialogue;

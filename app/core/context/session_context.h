@@ -47,7 +47,7 @@ struct SessionContext {
     const settings::Settings& settings;
     const KeyMap& keys;
     const WorldState& world;
-    const WalkerState& body;
+    const WalkerState& avatar;
     const HandsState& hands;
     Cues& cues;
     Lists& lists;
@@ -57,32 +57,33 @@ struct SessionContext {
     const Executor& executor;  // runs background tasks
     Arrivals* arrivals;        // receives the results of background tasks; may be null
     RoomsKept* rooms_kept;     // rooms kept by other sessions in the same world; may be null
-    SessionRequests asks = {};
+    SessionRequests session_requests = {};
     // Time of the last tick. Everything that a list or question triggers happens at this time.
     double tick_s = -1.0;
 
     void say(std::string text, cues::SpeechClass speech_class, double now_s) const {
         cues.say(std::move(text), speech_class, now_s);
     }
-    void tell(cues::SpeechTopic topic, std::string text, double now_s, const Cues::Telling& how = {}) const {
-        cues.tell(topic, std::move(text), now_s, how);
+    void announce(cues::SpeechTopic topic, std::string text, double now_s,
+                  const Cues::AnnounceOptions& how = {}) const {
+        cues.announce(topic, std::move(text), now_s, how);
     }
     void warn(std::string text, double now_s) const { cues.warn(std::move(text), now_s); }
     void answer(std::string text, double now_s) const { cues.answer(std::move(text), now_s); }
     // Saves what the person has just added, then says `words`. If saving failed, the announcement adds a sentence about
     // that.
     void keep_and_answer(const std::string& words, double now_s) const {
-        answer(asks.save_additions(now_s) ? words : phrase("guide.not_saved", {{"words", words}}), now_s);
+        answer(session_requests.save_additions(now_s) ? words : phrase("guide.not_saved", {{"words", words}}), now_s);
     }
     // Sets a setting to a value that is known to be valid.
     void set(std::string_view key, const std::string& value, double now_s) const {
-        const bool fits = asks.set(key, value, now_s).has_value();
+        const bool fits = session_requests.set(key, value, now_s).has_value();
         contract_pre(fits);
     }
     void play(cues::SoundKind kind, double now_s) const { cues.play(kind, now_s); }
     void play_at(cues::SoundKind kind, const Vec3& place_m, double now_s) const { cues.play_at(kind, place_m, now_s); }
     void open_list(ListSpec list, double now_s) const { lists.open(std::move(list), now_s); }
-    void ask_text(TextSpec question, double now_s) const { lists.ask(std::move(question), now_s); }
+    void request_text(TextSpec question, double now_s) const { lists.request_text(std::move(question), now_s); }
 };
 
 }  // namespace handrail::core

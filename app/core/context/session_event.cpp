@@ -5,9 +5,9 @@
 
 namespace handrail::core {
 
-void Events::tell(Happening what, double now_s) {
+void Events::report(Happening what, double now_s) {
     SessionEvent event{now_s, std::move(what)};
-    if (on_told) on_told(event);
+    if (on_reported) on_reported(event);
     if (waiting_.size() < kMost) return waiting_.push_back(std::move(event));
     waiting_[oldest_] = std::move(event);
     oldest_ = (oldest_ + 1) % kMost;

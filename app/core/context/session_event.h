@@ -27,7 +27,7 @@ struct RoomEntered {
     std::string name;
 };
 // How the person visits a thing: touching it with the hand, asking about it, or facing it.
-enum class VisitedBy : std::uint8_t { Hand, Asking, Facing };
+enum class VisitedBy : std::uint8_t { Hand, Query, Facing };
 // The person visits a thing. Reported once for each stay at the thing.
 struct ThingVisited {
     FeatureId feature;
@@ -91,13 +91,13 @@ struct ListShown {
 };
 
 // What a learner requests from the teacher, who is a person or a lesson file.
-enum class LessonWish : std::uint8_t { Done, MoreHelp, LessHelp, Leave };
-struct LessonWished {
-    LessonWish wish = LessonWish::Done;
+enum class LessonRequest : std::uint8_t { Done, MoreHelp, LessHelp, Leave };
+struct LessonRequested {
+    LessonRequest request = LessonRequest::Done;
 };
 
 using Happening = std::variant<Touched, RoomEntered, ThingVisited, Answered, WallDone, HelpRequested, DoorUsed,
-                               Teleported, Led, LeftRoute, StopPassed, Arrived, Leading, ListShown, LessonWished>;
+                               Teleported, Led, LeftRoute, StopPassed, Arrived, Leading, ListShown, LessonRequested>;
 
 struct SessionEvent {
     double time_s = 0.0;
@@ -110,10 +110,10 @@ class Events {
 public:
     static constexpr std::size_t kMost = 4096;
 
-    void tell(Happening what, double now_s);
+    void report(Happening what, double now_s);
     std::vector<SessionEvent> take();
     // The session sets this function. The queue calls it at once with each event, so that features can react to events.
-    std::function<void(const SessionEvent&)> on_told;
+    std::function<void(const SessionEvent&)> on_reported;
 
 private:
     std::vector<SessionEvent> waiting_;

@@ -13,7 +13,7 @@ struct SessionState {
     explicit SessionState(const settings::Settings& settings, const HandFacts& hand = {},
                           const Executor& executor = at_once(), Arrivals* arrivals = nullptr,
                           RoomsKept* rooms_kept = nullptr)
-        : person(settings), context{person.settings, person.keys, world,    body,     hands,    cues,      lists,
+        : person(settings), context{person.settings, person.keys, world,    avatar,   hands,    cues,      lists,
                                     additions,       events,      requests, executor, arrivals, rooms_kept} {
         hands.right = hand;
     }
@@ -23,8 +23,8 @@ struct SessionState {
     Person person;
     HandsState hands;
     WorldState world;
-    WalkerState body;
-    Cues cues{body};
+    WalkerState avatar;
+    Cues cues{avatar};
     Lists lists{cues};
     SideFile additions;
     // Time of the next attempt to save the additions; no value: nothing is unsaved.

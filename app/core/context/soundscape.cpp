@@ -169,27 +169,27 @@ void Soundscape::tick(const WalkerWorld& world, const Vec3& ears_m, double now_s
         reverberation_s_ = core::reverberation_s(world, ears_m);
     }
     // 2. Send the changes to the planner. Stop sounds first, to make room for new ones.
-    const auto source_of = [&](const cues::CueRequest& told) -> const Source* {
-        if (told.source >= sources_.size()) return nullptr;
-        const Source& source = sources_[told.source];
-        return source.heard && source.kind == told.sound ? &source : nullptr;
+    const auto source_of = [&](const cues::CueRequest& sent) -> const Source* {
+        if (sent.source >= sources_.size()) return nullptr;
+        const Source& source = sources_[sent.source];
+        return source.heard && source.kind == sent.sound ? &source : nullptr;
     };
-    std::erase_if(told_, [&](cues::CueRequest& told) {
-        if (source_of(told) != nullptr) return false;
-        told.loudness = 0.0;
-        told.time_s = now_s;
-        cues.push_back(told);
+    std::erase_if(sent_, [&](cues::CueRequest& sent) {
+        if (source_of(sent) != nullptr) return false;
+        sent.loudness = 0.0;
+        sent.time_s = now_s;
+        cues.push_back(sent);
         return true;
     });
     for (std::uint32_t i = 0; i < sources_.size(); ++i) {
         const Source& source = sources_[i];
         if (!source.heard) continue;
-        const auto told =
-            std::find_if(told_.begin(), told_.end(), [&](const cues::CueRequest& t) { return t.source == i; });
-        const bool known = told != told_.end();
-        if (known && glm::length(told->position_m - source.position_m) < kMoved_m &&
-            std::abs(told->muffled_db - source.muffled_db) < kChanged_db &&
-            std::abs(told->pulses_per_s - source.pulses_per_s) < kChanged_pulses_per_s)
+        const auto sent =
+            std::find_if(sent_.begin(), sent_.end(), [&](const cues::CueRequest& t) { return t.source == i; });
+        const bool known = sent != sent_.end();
+        if (known && glm::length(sent->position_m - source.position_m) < kMoved_m &&
+            std::abs(sent->muffled_db - source.muffled_db) < kChanged_db &&
+            std::abs(sent->pulses_per_s - source.pulses_per_s) < kChanged_pulses_per_s)
             continue;
         cues::CueRequest request;
         request.kind = cues::CueRequestKind::WorldSound;
@@ -200,8 +200,8 @@ void Soundscape::tick(const WalkerWorld& world, const Vec3& ears_m, double now_s
         request.muffled_db = source.muffled_db;
         request.pulses_per_s = source.pulses_per_s;
         request.source = i;
-        if (known) *told = request;
-        else told_.push_back(request);
+        if (known) *sent = request;
+        else sent_.push_back(request);
         cues.push_back(std::move(request));
     }
 }

@@ -69,7 +69,7 @@ private:
     std::vector<Source> sources_;
     std::size_t added_ = 0;               // number of added sounds, at the end of sources_
     std::size_t next_ = 0;                // source whose muffling is computed next
-    std::vector<cues::CueRequest> told_;  // the requests that were sent to the planner last
+    std::vector<cues::CueRequest> sent_;  // the requests that were sent to the planner last
     double reverberation_s_ = 0.0;
     double next_room_s_ = -1.0;  // time of the next measurement of the reverberation; negative: at once
 };

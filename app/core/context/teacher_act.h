@@ -15,10 +15,10 @@ struct TeacherActed {
         Begin,  // begins a lesson; text: its title
         // Offers lessons; items: their spoken names. The session requests the chosen one from the owner by number.
         Offer,
-        Task,    // text: the task, announced now and whenever the person asks for it
-        Ask,     // text: a question to answer by typing
-        Order,   // text: an instruction; items: what the learner has to put in order
-        Point,   // text: what to point at, by facing it or by moving the hand towards it
+        Task,      // text: the task, announced now and whenever the person asks for it
+        Question,  // text: a question to answer by typing
+        Order,     // text: an instruction; items: what the learner has to put in order
+        Point,     // text: what to point at, by facing it or by moving the hand towards it
         Lead,    // items and places_m: stops of a route; number: how much guidance the learner gets, from 0 (none) to 1
         Leave,   // ends the guidance that Lead has begun
         Block,   // text: a door; number: its feature. The door is shut and stays shut, and routes avoid it

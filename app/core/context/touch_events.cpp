@@ -10,7 +10,7 @@ void TouchEvents::tick(double now_s) {
         const FeatureId now = tool.touched();
         const FeatureId before = std::exchange(touched_[left ? 1 : 0], now);
         if (now == before || now == kNoFeature) continue;
-        context_.events.tell(Touched{now, left, tool.proxy_m, tool.contact_n}, now_s);
+        context_.events.report(Touched{now, left, tool.proxy_m, tool.contact_n}, now_s);
     }
 }
 

@@ -39,7 +39,7 @@ struct ViewState {
     Vec3 feet_m{0.0};
     bool show_hand = false;  // true: there is a device or a simulated hand
     Vec3 proxy_m{0.0};
-    double ball_radius_m = 0.005;
+    double proxy_radius_m = 0.005;
     bool touching = false;   // true: the proxy is drawn red, otherwise green
     bool plan_view = false;  // true: the plan is shown; F3 switches it
     bool forces_on = true;

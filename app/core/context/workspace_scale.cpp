@@ -50,8 +50,8 @@ std::string scale_sentence(NamedScale scale, double world_m_per_hand_m, double r
     return how.in_steps ? joined(text, distance_words(width_m, how)) : text;
 }
 
-double ball_radius_m(const Scene& scene, double felt_diameter_m, double world_m_per_hand_m,
-                     const compile::Simplification& plan) {
+double proxy_radius_m(const Scene& scene, double felt_diameter_m, double world_m_per_hand_m,
+                      const compile::Simplification& plan) {
     contract_pre(felt_diameter_m > 0.0 && world_m_per_hand_m > 0.0);
     double radius = 0.5 * std::clamp(felt_diameter_m * 60.0 / world_m_per_hand_m, 0.002, 0.006) * world_m_per_hand_m;
     for (std::uint32_t i = 0; i < scene.features.size(); ++i)

@@ -27,7 +27,7 @@ std::string scale_sentence(NamedScale scale, double world_m_per_hand_m, double r
 // Returns the radius of the proxy. At scale 60, the proxy's diameter is `felt_diameter_m`. At other scales the proxy
 // keeps its size in the world, but stays between 2 and 6 mm at the hand. Its radius is also at most a third of the
 // width of the narrowest door as rendered.
-double ball_radius_m(const Scene& scene, double felt_diameter_m, double world_m_per_hand_m,
-                     const compile::Simplification& plan = {});
+double proxy_radius_m(const Scene& scene, double felt_diameter_m, double world_m_per_hand_m,
+                      const compile::Simplification& plan = {});
 
 }  // namespace handrail::core

@@ -19,7 +19,7 @@ namespace handrail::core {
 
 inline constexpr double kControlM = 0.013;      // least width and height of a control
 inline constexpr double kControlGapM = 0.0064;  // free space between two controls
-inline constexpr double kDeskBallM = 0.002;     // radius of the proxy at the desk, as in servo_tick
+inline constexpr double kDeskProxyM = 0.002;    // radius of the proxy at the desk, as in servo_tick
 inline constexpr int kKnobDetents = 12;         // detents per whole turn of the knob
 
 // A control on the panel.
@@ -40,7 +40,7 @@ struct PlacedControl {
     // Returns the centre of the proxy when the proxy touches the front of the control, with this offset from the
     // control's middle.
     Vec3 touch_m(double across_m = 0.0, double up_m = 0.0) const {
-        return {x_m + across_m, face_y_m - kDeskBallM, z_m + up_m};
+        return {x_m + across_m, face_y_m - kDeskProxyM, z_m + up_m};
     }
 };
 

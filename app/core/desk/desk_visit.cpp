@@ -6,7 +6,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/context/workspace_commands.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
@@ -33,7 +33,7 @@ bool needs_world(Command command) {
         case Command::Retrace:
         case Command::FreeLeft:
         case Command::FreeRight:
-        case Command::FaceWay:
+        case Command::FaceRoute:
             return true;
         case Command::WorkspaceCentre:  // a jump, which would end the visit to the desk
             return false;
@@ -59,7 +59,7 @@ void DeskVisit::furnish() {
             [this, &row](const std::string& value) {
                 // The control announces the resulting value. If the setting refuses a value, that announcement shows
                 // it, so the error needs no announcement.
-                static_cast<void>(context_.asks.set(row.key, value, context_.tick_s));
+                static_cast<void>(context_.session_requests.set(row.key, value, context_.tick_s));
             }));
     };
     const auto indicator = [&](std::string name, std::function<std::string()> value) {
@@ -126,7 +126,7 @@ void DeskVisit::furnish() {
         return words;
     });
     indicator(phrase("desk.heading"), [this] {
-        const double heading_rad = context_.body.heading_rad;
+        const double heading_rad = context_.avatar.heading_rad;
         return phrase("desk.heading_degrees",
                       {{"direction", compass_word(heading_rad)},
                        {"degrees", std::lround(std::fmod(degrees_from_radians(heading_rad) + 360.0, 360.0))}});
@@ -216,7 +216,7 @@ bool DeskVisit::refuses(Command command, double now_s) {
 
 void DeskVisit::tick(double now_s) {
     const bool here = context_.hands.at_desk();
-    if (here != std::exchange(told_, here)) {
+    if (here != std::exchange(announced_, here)) {
         if (here) come(now_s);
         else go_back(now_s);
     }
@@ -234,7 +234,8 @@ void DeskVisit::come(double now_s) {
 
 void DeskVisit::go_back(double now_s) {
     on_back(std::exchange(scale_waits_, std::nullopt), now_s);
-    context_.tell(cues::SpeechTopic::Place, phrase("desk.back", {{"where", where_am_i()}}), now_s, {.answers = true});
+    context_.announce(cues::SpeechTopic::Place, phrase("desk.back", {{"where", where_am_i()}}), now_s,
+                      {.answers = true});
 }
 
 void DeskVisit::hear(const DeskNews& news, double now_s) {

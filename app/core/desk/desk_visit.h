@@ -82,7 +82,7 @@ private:
     Desk desk_;
     DeskPanel panel_;
     DeskHand hand_;
-    bool told_ = false;                          // true: the arrival of the hand at the desk has been announced
+    bool announced_ = false;                     // true: the arrival of the hand at the desk has been announced
     std::vector<std::filesystem::path> worlds_;  // worlds in the desk's list of worlds
     std::size_t world_ = 0, mark_ = 0;           // selected entries of the lists of worlds and marks
     std::optional<std::string> scale_waits_;

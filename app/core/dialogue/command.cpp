@@ -80,11 +80,11 @@ constexpr std::array kCommands{
     CommandInfo{Command::Routes, "routes", "Shift+4", false},
     CommandInfo{Command::RepeatLeg, "leg", "R", false},
     CommandInfo{Command::NextLeg, "next-leg", "Shift+R", false},
-    CommandInfo{Command::RestOfWay, "rest-of-way", "Alt+R", false},
-    CommandInfo{Command::FaceWay, "face-way", "Shift+Z", false},
+    CommandInfo{Command::RestOfRoute, "rest-of-way", "Alt+R", false},
+    CommandInfo{Command::FaceRoute, "face-way", "Shift+Z", false},
     CommandInfo{Command::NameRoom, "name-room", "Control+N", false},
-    CommandInfo{Command::Ways, "ways", "Control+7", false},
-    CommandInfo{Command::KeepWay, "keep-way", "Control+8", false},
+    CommandInfo{Command::KeptRoutes, "ways", "Control+7", false},
+    CommandInfo{Command::KeepRoute, "keep-way", "Control+8", false},
     CommandInfo{Command::PlanView, "plan", "F3", false},
     // The following commands concern help and settings.
     CommandInfo{Command::Menu, "menu", "Tab", false},
@@ -154,7 +154,7 @@ InList in_list(Command command) {
     return is_one_of(command,
                      {Command::WhereAmI, Command::Heading, Command::AroundMe, Command::AheadOfMe, Command::LookNext,
                       Command::LookBefore, Command::ScaleBar, Command::Coordinates, Command::WhatIsThis, Command::Exits,
-                      Command::UnvisitedExits, Command::RepeatLeg, Command::RestOfWay, Command::Repeat,
+                      Command::UnvisitedExits, Command::RepeatLeg, Command::RestOfRoute, Command::Repeat,
                       Command::HistoryBack, Command::HistoryForward, Command::Leave})
                ? InList::Answered
                : InList::Waits;

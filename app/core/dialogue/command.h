@@ -80,11 +80,11 @@ enum class Command : std::uint8_t {
     Routes,          // opens a list of rooms; gives directions to the chosen one and guides along the route
     RepeatLeg,       // repeats the present leg of the followed route, from where the walker is
     NextLeg,
-    RestOfWay,
-    FaceWay,   // turns the walker to the direction of the announced leg
-    NameRoom,  // the person types a name for the present room
-    Ways,      // opens a list of the saved routes
-    KeepWay,   // saves the route planned or walked last under a name
+    RestOfRoute,
+    FaceRoute,   // turns the walker to the direction of the announced leg
+    NameRoom,    // the person types a name for the present room
+    KeptRoutes,  // opens a list of the saved routes
+    KeepRoute,   // saves the route planned or walked last under a name
     PlanView,
     // The following commands concern help and settings.
     Menu,  // opens a list of everything that can be done

@@ -123,7 +123,7 @@ std::string Dialogue::open(ListSpec list) {
     return back_words();
 }
 
-std::string Dialogue::ask(TextSpec question) {
+std::string Dialogue::request_text(TextSpec question) {
     stack_.push_back(std::make_unique<Part>(std::move(question)));
     return sentences(back_words(), phrase("dialogue.escape_cancels"));
 }

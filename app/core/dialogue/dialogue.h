@@ -98,7 +98,7 @@ public:
     // Open a list or a question, and return the text to announce. A list without items does not open, and the text says
     // so.
     std::string open(ListSpec list);
-    std::string ask(TextSpec question);
+    std::string request_text(TextSpec question);
     bool is_open() const { return !stack_.empty(); }
     bool typing() const;
     void close_all() { stack_.clear(); }

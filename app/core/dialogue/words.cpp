@@ -64,7 +64,7 @@ std::string size_words(double width_m, double depth_m, const DistanceWords& how)
                                            {"steps_deep", whole_steps(depth_m, how.step_length_m)}});
 }
 
-double told_turn_deg(double bearing_rad, double heading_rad, bool rounded) {
+double spoken_turn_deg(double bearing_rad, double heading_rad, bool rounded) {
     const double to = rounded ? kRoundedTo_deg : 1.0;
     return std::round(degrees_from_radians(wrap_angle(bearing_rad - heading_rad)) / to) * to;
 }
@@ -79,7 +79,7 @@ std::string direction_words(double bearing_rad, double heading_rad, settings::Di
         return rounded ? compass_word(bearing_rad) : fine_compass_word(bearing_rad);
     if (choice == settings::DirectionChoice::Clock)
         return phrase("direction.clock", {{"hour", hour_of(wrap_angle(bearing_rad - heading_rad))}});
-    const double turn_deg = told_turn_deg(bearing_rad, heading_rad, rounded), degrees = std::abs(turn_deg);
+    const double turn_deg = spoken_turn_deg(bearing_rad, heading_rad, rounded), degrees = std::abs(turn_deg);
     if (degrees == 0.0) return phrase("direction.ahead");
     if (degrees == 180.0) return phrase("direction.behind");
     if (degrees == 90.0) return phrase(turn_deg > 0.0 ? "direction.right" : "direction.left");
@@ -96,7 +96,7 @@ std::string place_words(double distance_m, double bearing_rad, double heading_ra
     }
     if (choice == settings::DirectionChoice::Clock)
         return phrase("place.clock", {far, near, {"hour", hour_of(wrap_angle(bearing_rad - heading_rad))}});
-    const double turn_deg = told_turn_deg(bearing_rad, heading_rad, how.rounded), degrees = std::abs(turn_deg);
+    const double turn_deg = spoken_turn_deg(bearing_rad, heading_rad, how.rounded), degrees = std::abs(turn_deg);
     if (degrees == 0.0) return phrase("place.ahead", {far, near});
     if (degrees == 180.0) return phrase("place.behind", {far, near});
     if (degrees == 90.0) return phrase(turn_deg > 0.0 ? "place.right" : "place.left", {far, near});

@@ -30,7 +30,7 @@ std::string direction_words(double bearing_rad, double heading_rad, settings::Di
                             bool rounded = true);
 // Returns the turn from `heading_rad` to `bearing_rad` in degrees as it is announced, positive to the right. 0 is
 // ahead, 180 is behind. The turn is rounded to 5 degrees, or to one degree if `rounded` is false.
-double told_turn_deg(double bearing_rad, double heading_rad, bool rounded = true);
+double spoken_turn_deg(double bearing_rad, double heading_rad, bool rounded = true);
 // Returns the hour, 1 to 12, that a turn in radians points to on a clock face lying in front of the person. Positive
 // turns are to the right; 12 is ahead.
 long hour_of(double turn_rad);

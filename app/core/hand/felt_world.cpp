@@ -10,17 +10,18 @@
 namespace handrail::core {
 
 bool FeltOrder::same_as(const FeltOrder& other) const {
-    const auto wish = [](const FeltOrder& order) { return order.simplify.value_or(compile::SimplifyOptions{}); };
-    const compile::SimplifyOptions mine = wish(*this), others = wish(other);
+    const auto options_of = [](const FeltOrder& order) { return order.simplify.value_or(compile::SimplifyOptions{}); };
+    const compile::SimplifyOptions mine = options_of(*this), others = options_of(other);
     return edit == other.edit && simplify.has_value() == other.simplify.has_value() &&
            mine.world_m_per_hand_m == others.world_m_per_hand_m && mine.openings_m == others.openings_m &&
            mine.kept_m == others.kept_m && world_m_per_hand_m == other.world_m_per_hand_m &&
-           ball_diameter_hand_m == other.ball_diameter_hand_m && edge_rounding_hand_mm == other.edge_rounding_hand_mm &&
+           proxy_diameter_hand_m == other.proxy_diameter_hand_m &&
+           edge_rounding_hand_mm == other.edge_rounding_hand_mm &&
            mesh_tolerance_hand_mm == other.mesh_tolerance_hand_mm;
 }
 
-double felt_rounding_m(double edge_rounding_hand_mm, double world_m_per_hand_m, double ball_radius_m) {
-    return std::min(compile::edge_rounding_m(edge_rounding_hand_mm, world_m_per_hand_m), ball_radius_m);
+double felt_rounding_m(double edge_rounding_hand_mm, double world_m_per_hand_m, double proxy_radius_m) {
+    return std::min(compile::edge_rounding_m(edge_rounding_hand_mm, world_m_per_hand_m), proxy_radius_m);
 }
 
 FeltWorld make_felt(const FeltOrder& order, const FeltWorld& before, const std::stop_token& stop) {
@@ -29,7 +30,7 @@ FeltWorld make_felt(const FeltOrder& order, const FeltWorld& before, const std::
     if (order.simplify) felt.plan = compile::plan_simplification(*order.scene, *order.simplify, stop);
     if (stop.stop_requested()) return felt;
     const double radius_m =
-        ball_radius_m(*order.scene, order.ball_diameter_hand_m, order.world_m_per_hand_m, felt.plan);
+        proxy_radius_m(*order.scene, order.proxy_diameter_hand_m, order.world_m_per_hand_m, felt.plan);
     felt.rounding_m = felt_rounding_m(order.edge_rounding_hand_mm, order.world_m_per_hand_m, radius_m);
     if (compile::has_dense_mesh(*order.scene))
         felt.mesh_tolerance_m = order.mesh_tolerance_hand_mm * 1e-3 * order.world_m_per_hand_m;

@@ -19,7 +19,7 @@ struct FeltOrder {
     int edit = 0;  // number of changes to the world: it increases whenever something is added or removed
     std::optional<compile::SimplifyOptions> simplify;  // how to simplify; none: nothing is simplified
     OpenPortals portals;                               // the portals to which the openings in `simplify` belong
-    double world_m_per_hand_m = 1.0, ball_diameter_hand_m = 0.0, edge_rounding_hand_mm = 0.0;
+    double world_m_per_hand_m = 1.0, proxy_diameter_hand_m = 0.0, edge_rounding_hand_mm = 0.0;
     double mesh_tolerance_hand_mm = 0.0;  // tolerance for simplifying dense meshes; 0: dense meshes are not simplified
     std::uint32_t world = 0;              // value for HapticScene::world
 
@@ -38,7 +38,7 @@ struct FeltWorld {
 
 // Returns the radius for rounding edges. The radius never exceeds that of the proxy. round_edges.h explains the reason
 // under "inner corners".
-double felt_rounding_m(double edge_rounding_hand_mm, double world_m_per_hand_m, double ball_radius_m);
+double felt_rounding_m(double edge_rounding_hand_mm, double world_m_per_hand_m, double proxy_radius_m);
 
 // Makes the world for `order`. If plan, rounding and tolerance are the same as in `before`, compiles nothing. After a
 // request to `stop`, the caller must ignore the result.

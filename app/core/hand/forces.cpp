@@ -88,16 +88,16 @@ void Forces::tick(double now_s) {
     const bool was_waiting = std::exchange(fault_lasted_, hands_.tool.fault_lasts);
     if (!was_waiting || hands_.tool.fault_lasts || !hands_.tool.fault_latched) return;
     const std::string key = context_.keys.keys_of(Command::ToggleForces);
-    if (servo::is_gone(hands_.tool.fault))
+    if (servo::is_lost(hands_.tool.fault))
         context_.say(phrase("session.plugged_in_again", {{"key", key}}), cues::SpeechClass::Alarm, now_s);
     if (hands_.tool.fault == servo::Fault::TooHot)
         context_.say(phrase("session.cooled", {{"key", key}}), cues::SpeechClass::Alarm, now_s);
 }
 
-void Forces::tell_break(double now_s) {
+void Forces::announce_break(double now_s) {
     const double contact_s = contact_before_s_ + hands_.tool.contact_s;
-    if (contact_s < (breaks_told_ + 1.0) * kBreakEvery_s) return;
-    breaks_told_ = std::floor(contact_s / kBreakEvery_s);
+    if (contact_s < (breaks_announced_ + 1.0) * kBreakEvery_s) return;
+    breaks_announced_ = std::floor(contact_s / kBreakEvery_s);
     context_.say(phrase("session.take_a_break", {{"time", minutes_words(contact_s)}}), cues::SpeechClass::Ambient,
                  now_s);
 }

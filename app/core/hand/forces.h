@@ -31,7 +31,7 @@ public:
     // If a fault has ended by itself, announces that the force key switches the force on again.
     void tick(double now_s);
     // Suggests a break when it is due.
-    void tell_break(double now_s);
+    void announce_break(double now_s);
 
 private:
     void toggle(double now_s);
@@ -42,7 +42,7 @@ private:
     bool fault_lasted_ = false;
     double stopped_s_ = -1e9;
     std::uint32_t stops_known_ = 0;
-    double breaks_told_ = 0.0;
+    double breaks_announced_ = 0.0;
     double contact_before_s_ = 0.0;  // seconds of contact with devices that were used earlier
 };
 

@@ -18,7 +18,7 @@ OpenPortals open_portals(const navigation::RoomGraph& graph) {
     return open;
 }
 
-bool asks_for_openings(double world_m_per_hand_m, double body_radius_m) {
+bool needs_openings(double world_m_per_hand_m, double body_radius_m) {
     return compile::kLeastGap_hand_m * world_m_per_hand_m > 2.0 * body_radius_m;
 }
 

@@ -20,7 +20,7 @@ OpenPortals open_portals(const navigation::RoomGraph& graph);
 // Returns true if simplification needs the open portals at this scale. A walker fits through every portal of the room
 // graph. If the hand can feel an opening of the walker's own width at this scale, it also feels every portal. Then the
 // portals are not needed.
-bool asks_for_openings(double world_m_per_hand_m, double body_radius_m);
+bool needs_openings(double world_m_per_hand_m, double body_radius_m);
 
 // Returns "Simplified: 3 doorways widened, 12 small things left out.", or an empty text if nothing was simplified.
 // `coarser` is the number of things whose meshes were made coarser.

@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "app/core/context/context_words.h"
 #include "app/core/context/device_settings.h"
-#include "app/core/context/telling.h"
 #include "app/core/world/world_now.h"
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/free_place.h"
@@ -18,7 +18,7 @@ void TouchView::enter_world(std::shared_ptr<const render::HapticScene> sharp, do
     felt_.give_up();
     ++edits_;
     ordered_.reset();
-    told_.clear();
+    announced_.clear();
     plan_ = {};
     rounded_m_ = mesh_tolerance_m_ = 0.0;
     coarser_.clear();
@@ -44,7 +44,7 @@ void TouchView::change_world(double now_s) {
     contract_valid(validate(*haptic_));
     world_.things.enter(*world_.scene, *haptic_, plan_, now_s);
     world_.movers.follow(world_.scene->movers);
-    rebuild_solids(world_, body_);
+    rebuild_solids(world_, avatar_);
     adapt();
 }
 
@@ -61,7 +61,7 @@ void TouchView::retune() {
     tuning.touch = render::TouchTuning{};
     tuning.touch.world_m_per_hand_m = scale(context_);
     tuning.touch.radius_m =
-        ball_radius_m(*world_.scene, settings.haptic.ball_diameter_mm * 1e-3, scale(context_), plan_);
+        proxy_radius_m(*world_.scene, settings.haptic.ball_diameter_mm * 1e-3, scale(context_), plan_);
     tuning.touch.default_stiffness_fraction = settings.haptic.stiffness_fraction;
     tuning.touch.damping_ns_per_m = settings.haptic.damping_ns_per_m;
     tuning.button_to_feel = settings.haptic.button_to_feel;
@@ -97,31 +97,31 @@ servo::ServoTuning TouchView::left_tuning() const {
 }
 
 // Returns how the present scale requires the world to be simplified.
-TouchView::Wish TouchView::wish() {
+TouchView::FeltRequest TouchView::felt_request() {
     openings_awaited_ = false;
     if (!hands_.right.present || !context_.settings.haptic.simplify) return {};
-    Wish wish;
-    compile::SimplifyOptions& options = wish.simplify.emplace();
+    FeltRequest felt_request;
+    compile::SimplifyOptions& options = felt_request.simplify.emplace();
     options.world_m_per_hand_m = scale(context_);
     for (const Mark& mark : world_.marks) options.kept_m.push_back(mark.place_m);
-    if (openings && asks_for_openings(scale(context_), context_.settings.walk.body_radius_m)) {
+    if (openings && needs_openings(scale(context_), context_.settings.walk.body_radius_m)) {
         KnownOpenings known = openings();
         openings_awaited_ = known.awaited;
-        wish.portals = std::move(known.portals);
-        options.openings_m = wish.portals.places_m;
+        felt_request.portals = std::move(known.portals);
+        options.openings_m = felt_request.portals.places_m;
     }
-    return wish;
+    return felt_request;
 }
 
 FeltOrder TouchView::order() {
-    Wish asked = wish();
+    FeltRequest requested = felt_request();
     FeltOrder order;
     order.scene = world_.scene;
     order.edit = edits_;
-    order.simplify = std::move(asked.simplify);
-    order.portals = std::move(asked.portals);
+    order.simplify = std::move(requested.simplify);
+    order.portals = std::move(requested.portals);
     order.world_m_per_hand_m = scale(context_);
-    order.ball_diameter_hand_m = context_.settings.haptic.ball_diameter_mm * 1e-3;
+    order.proxy_diameter_hand_m = context_.settings.haptic.ball_diameter_mm * 1e-3;
     // Without a hand, nobody feels the edges, so they are not rounded.
     order.edge_rounding_hand_mm = hands_.right.present ? context_.settings.haptic.edge_rounding_mm : 0.0;
     if (hands_.right.present && context_.settings.haptic.simplify)
@@ -155,7 +155,7 @@ void TouchView::widen_openings(bool rooms_known) {
 
 std::string TouchView::news() {
     std::string sentence = simplified_sentence(plan_, coarser_.size());
-    if (sentence == std::exchange(told_, sentence)) return {};
+    if (sentence == std::exchange(announced_, sentence)) return {};
     return sentence.empty() ? phrase("simplify.nothing") : sentence;
 }
 

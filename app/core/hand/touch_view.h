@@ -25,8 +25,8 @@ class TouchView : SessionPart {
 public:
     // Writes the tuning to `hands`. Whenever it rebuilds the rendered surfaces, it also rebuilds the solids for walking
     // in `world`.
-    TouchView(const SessionContext& context, WorldState& world, WalkerState& body, HandsState& hands)
-        : SessionPart(context), world_(world), body_(body), hands_(hands) {}
+    TouchView(const SessionContext& context, WorldState& world, WalkerState& avatar, HandsState& hands)
+        : SessionPart(context), world_(world), avatar_(avatar), hands_(hands) {}
 
     // Returns true while a background task makes a scene. Until the task is done, the hand feels the previous scene.
     // After a world is entered, that is the world without simplifications and rounded edges.
@@ -69,16 +69,16 @@ public:
     std::function<KnownOpenings()> openings;
 
 private:
-    struct Wish {
+    struct FeltRequest {
         std::optional<compile::SimplifyOptions> simplify;
         OpenPortals portals;
     };
-    Wish wish();
+    FeltRequest felt_request();
     FeltOrder order();
     Vec3 out_of_solids_m(const Vec3& hand_m) const;
 
     WorldState& world_;
-    WalkerState& body_;
+    WalkerState& avatar_;
     HandsState& hands_;
     std::shared_ptr<const render::HapticScene> haptic_;
     double rounded_m_ = 0.0;                     // how far edges in `haptic_` are rounded
@@ -90,7 +90,7 @@ private:
     int edits_ = 0;                              // number of changes to the worlds of this session
     std::optional<FeltOrder> ordered_;           // the last order for this world
     BackgroundTask<FeltWorld> felt_{context_.executor, "touch", context_.arrivals};
-    std::string told_;  // the last announced sentence on simplifications
+    std::string announced_;  // the last announced sentence on simplifications
 };
 
 }  // namespace handrail::core

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/context/workspace_commands.h"
 #include "app/core/world/questions.h"
 #include "haptic/render/free_place.h"
@@ -104,7 +104,7 @@ bool Workspace::act(Command command, double now_s) {
     }
 }
 
-servo::WorkspacePose Workspace::pose_beside(const Vec3& others_shift_m) const {
+servo::WorkspacePose Workspace::pose_next_to(const Vec3& others_shift_m) const {
     servo::WorkspacePose pose = hands_.pose;
     pose.origin_m += others_shift_m;
     return pose;
@@ -114,7 +114,7 @@ servo::WorkspacePose Workspace::pose_beside(const Vec3& others_shift_m) const {
 Vec3 Workspace::origin_m() const {
     const settings::Settings::Workspace& workspace = context_.settings.workspace;
     const Aabb& bounds_m = context_.world.building_m;
-    Vec3 origin = workspace.follows_walk ? context_.body.feet_m() : anchor_feet_m_;
+    Vec3 origin = workspace.follows_walk ? context_.avatar.feet_m() : anchor_feet_m_;
     if (hands_.named_scale == NamedScale::Building && !bounds_m.empty()) {
         const Vec3 centre = bounds_m.centre_m();
         origin = Vec3(centre.x, centre.y, origin.z);
@@ -129,9 +129,9 @@ Vec3 Workspace::origin_m() const {
 void Workspace::publish(double now_s, PoseChange change) {
     if (change == PoseChange::Moved) shift_m_ += shift_by_hand_m();
     if (change == PoseChange::Placed) {
-        anchor_feet_m_ = seen_from_m_ = context_.body.feet_m();
+        anchor_feet_m_ = seen_from_m_ = context_.avatar.feet_m();
         hands_.left_behind = false;
-        shift_m_ = way_to_body_m();
+        shift_m_ = shift_to_walker_m();
     }
     hands_.pose.heading_rad = workspace_heading_rad(context_);
     hands_.pose.origin_m = origin_m() + shift_m_;
@@ -183,7 +183,7 @@ void Workspace::zoom(NamedScale scale_name, double now_s) {
             return scale_name != NamedScale::Building;
         },
         now_s);
-    scale_asked_s_ = now_s;
+    scale_requested_s_ = now_s;
     context_.answer(
         scale_sentence(scale_name, scale(context_), hands_.right.spec.workspace_radius_m, distances(context_)), now_s);
 }
@@ -210,17 +210,18 @@ void Workspace::push(const Vec3& carried_hand_m_per_s, double now_s) {
     hands_.tuning.workspace.push_hand_m_per_s = way == Vec3(0.0) ? carried_hand_m_per_s : way * kPushSpeed_hand_m_per_s;
 }
 
-void Workspace::tell_motion(double now_s) {
+void Workspace::announce_motion(double now_s) {
     const servo::WorkspaceMotion now = hands_.tool.workspace_motion != servo::WorkspaceMotion::Still
                                            ? hands_.tool.workspace_motion
                                            : hands_.left_tool.workspace_motion;
-    const servo::WorkspaceMotion before = std::exchange(motion_told_, now);
-    if (before != motion_told_ && motion_told_ == servo::WorkspaceMotion::Still && !(rests_untold && rests_untold()))
+    const servo::WorkspaceMotion before = std::exchange(motion_announced_, now);
+    if (before != motion_announced_ && motion_announced_ == servo::WorkspaceMotion::Still &&
+        !(rests_silently && rests_silently()))
         context_.say(
             words(),
             before == servo::WorkspaceMotion::Scrolled ? cues::SpeechClass::Ambient : cues::SpeechClass::Answer, now_s);
-    if (std::exchange(limit_told_, hands_.tool.workspace_at_limit || hands_.left_tool.workspace_at_limit) ||
-        !limit_told_)
+    if (std::exchange(limit_announced_, hands_.tool.workspace_at_limit || hands_.left_tool.workspace_at_limit) ||
+        !limit_announced_)
         return;
     context_.play(cues::SoundKind::Denied, now_s);
     context_.say(phrase("session.world_ends"), cues::SpeechClass::Ambient, now_s);
@@ -229,12 +230,12 @@ void Workspace::tell_motion(double now_s) {
 // Describes the position of the workspace relative to the walker.
 std::string Workspace::words() const {
     const settings::Settings& settings = context_.settings;
-    const Vec3 from_body = shift_m_ + shift_by_hand_m() + origin_m() - context_.body.feet_m();
-    const Vec3 level(from_body.x, from_body.y, 0.0);
+    const Vec3 from_walker = shift_m_ + shift_by_hand_m() + origin_m() - context_.avatar.feet_m();
+    const Vec3 level(from_walker.x, from_walker.y, 0.0);
     const double up_m =
-        from_body.z - settings.workspace.hand_height_m - settings.workspace.offset_up_m * scale(context_);
+        from_walker.z - settings.workspace.hand_height_m - settings.workspace.offset_up_m * scale(context_);
     const double away_m = glm::length(level);
-    const std::string place = place_words(away_m, std::atan2(level.x, level.y), context_.body.heading_rad,
+    const std::string place = place_words(away_m, std::atan2(level.x, level.y), context_.avatar.heading_rad,
                                           settings.speech.directions, distances(context_));
     std::string text = away_m < 0.5 * settings.walk.step_length_m ? phrase("session.workspace_round_you")
                                                                   : phrase("session.workspace_at", {{"place", place}});
@@ -248,10 +249,10 @@ void Workspace::take_touch(bool rooms_known, bool quietly, double now_s) {
     if (!touch_.take_made(now_s)) return;
     bring_hands_out(now_s);
     if (quietly) return;
-    const std::optional<double> asked_s = std::exchange(scale_asked_s_, std::nullopt);
+    const std::optional<double> requested_s = std::exchange(scale_requested_s_, std::nullopt);
     std::string news = touch_.news();
     if (news.empty()) return;
-    if (asked_s) context_.answer(std::move(news), *asked_s);
+    if (requested_s) context_.answer(std::move(news), *requested_s);
     else context_.say(std::move(news), cues::SpeechClass::Ambient, now_s);
 }
 
@@ -264,22 +265,22 @@ void Workspace::bring_hands_out(double now_s) {
     publish(now_s, PoseChange::Moved);
 }
 
-bool Workspace::goes_with_body() const {
+bool Workspace::goes_with_walker() const {
     return hands_.known() && context_.settings.workspace.follows_walk && hands_.named_scale != NamedScale::Building &&
            !hands_.at_desk();
 }
 
 // Returns true if the walker sees this place from the height of the place itself or from eye height, which is above
 // most furniture. A proxy partly inside a solid is also visible, because a doorway may be rendered wider than it is.
-bool Workspace::body_sees(const Vec3& place_m) const {
-    const Vec3 feet = context_.body.feet_m();
-    const WalkerSize& body = context_.body.walker->size();
+bool Workspace::walker_sees(const Vec3& place_m) const {
+    const Vec3 feet = context_.avatar.feet_m();
+    const WalkerSize& body = context_.avatar.walker->size();
     for (const double height_m : {std::clamp(place_m.z - feet.z, kLowestLook_m, body.height_m), kLookHeight_m}) {
         const Vec3 eye = feet + Vec3(0.0, 0.0, height_m);
         const TraceHit hit = context_.world.solids->trace(eye, place_m, WalkerShape{}, true);
         if (!hit.hit || glm::length(place_m - hit.end_m) <= hands_.tuning.touch.radius_m) return true;
     }
-    return in_room_of_body && in_room_of_body(place_m);
+    return in_room_of_walker && in_room_of_walker(place_m);
 }
 
 Vec3 Workspace::hand_in_m(const Vec3& origin_m) const {
@@ -288,29 +289,29 @@ Vec3 Workspace::hand_in_m(const Vec3& origin_m) const {
 
 // Returns the vector to the walker from where the hand would be without shifts. Returns zero if the walker sees that
 // place.
-Vec3 Workspace::way_to_body_m() const {
-    if (!goes_with_body()) return Vec3(0.0);
-    const Vec3 hand = hand_in_m(origin_m()), feet = context_.body.feet_m();
-    if (body_sees(hand)) return Vec3(0.0);
-    const double most_m = context_.body.walker->size().height_m - hands_.tuning.touch.radius_m;
+Vec3 Workspace::shift_to_walker_m() const {
+    if (!goes_with_walker()) return Vec3(0.0);
+    const Vec3 hand = hand_in_m(origin_m()), feet = context_.avatar.feet_m();
+    if (walker_sees(hand)) return Vec3(0.0);
+    const double most_m = context_.avatar.walker->size().height_m - hands_.tuning.touch.radius_m;
     return Vec3(feet.x, feet.y, feet.z + std::clamp(hand.z - feet.z, kLowestLook_m, most_m)) - hand;
 }
 
-std::string Workspace::bring_to_body(double now_s) {
+std::string Workspace::bring_to_walker(double now_s) {
     publish(now_s, PoseChange::Placed);
     context_.play(cues::SoundKind::FrameSwitch, now_s);
     return phrase("session.hand_with_you");
 }
 
-void Workspace::stay_with_body(double now_s) {
-    if (!goes_with_body()) {
+void Workspace::stay_with_walker(double now_s) {
+    if (!goes_with_walker()) {
         hands_.left_behind = false;
         return;
     }
     // The servo has not yet carried out the jump, so the reported position of the hand is the old one.
     if (hands_.tool.workspace_jump != hands_.pose.jump) return;
-    const Vec3 feet = context_.body.feet_m();
-    if (body_sees(hands_.tool.proxy_m)) {
+    const Vec3 feet = context_.avatar.feet_m();
+    if (walker_sees(hands_.tool.proxy_m)) {
         seen_from_m_ = feet;
         hands_.left_behind = false;
         return;
@@ -320,7 +321,8 @@ void Workspace::stay_with_body(double now_s) {
         hands_.left_behind = true;
         left_behind_s_ = now_s;
     }
-    if (now_s - left_behind_s_ >= kLeftBehind_s) context_.say(bring_to_body(now_s), cues::SpeechClass::Contact, now_s);
+    if (now_s - left_behind_s_ >= kLeftBehind_s)
+        context_.say(bring_to_walker(now_s), cues::SpeechClass::Contact, now_s);
 }
 
 // Returns how far the hands must move out of solids if the workspace has the middle `origin_m`.
@@ -330,14 +332,14 @@ Vec3 Workspace::hands_out_of_solids_m(const Vec3& origin_m) const {
                                   frame.to_world(hands_.left_tool.hand_m, scale(context_)));
 }
 
-std::string Workspace::bring_out(const Vec3& middle_was_m, bool with_body, double now_s) {
+std::string Workspace::bring_out(const Vec3& middle_was_m, bool with_walker, double now_s) {
     if (!hands_.right.present) return {};
-    if (hands_.left_behind) return bring_to_body(now_s);
+    if (hands_.left_behind) return bring_to_walker(now_s);
     const double clearance_m = 1.2 * hands_.tuning.touch.radius_m;
     const auto poses = context_.world.things.frame().poses();
     const Vec3 hand = hands_.tool.hip_m + (middle_m() - middle_was_m);
     const render::Surrounding around = render::surrounding_of(*touch_.felt(), poses, hand, clearance_m);
-    if (around.distance_m > 0.0 && (with_body || !hands_.tool.contacts.ghosted)) return {};
+    if (around.distance_m > 0.0 && (with_walker || !hands_.tool.contacts.ghosted)) return {};
     const auto free = render::nearest_free_place(*touch_.felt(), poses, hand, clearance_m, touch_.farthest_m());
     if (!free) return phrase("session.no_place_for_hand");
     const std::string how_far = how_far_words(context_, glm::length(*free - hand));

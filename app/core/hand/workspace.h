@@ -27,8 +27,8 @@ public:
 
     // Return the poses for the only or right hand, and for the left hand. Each servo adds the shift by its own hand.
     // These poses already contain the shift by the other hand.
-    servo::WorkspacePose pose() const { return pose_beside(shift_of(hands_.left_tool)); }
-    servo::WorkspacePose left_pose() const { return pose_beside(shift_of(hands_.tool)); }
+    servo::WorkspacePose pose() const { return pose_next_to(shift_of(hands_.left_tool)); }
+    servo::WorkspacePose left_pose() const { return pose_next_to(shift_of(hands_.tool)); }
     // Returns the present middle of the workspace, including the shifts by both hands.
     Vec3 middle_m() const { return hands_.pose.origin_m + shift_by_hand_m(); }
 
@@ -56,20 +56,20 @@ public:
     // If a solid keeps the hand from following the walker, brings the workspace to the walker, announces that, and lets
     // the force rise from zero. Until then, HandsState::left_behind is set. Does nothing if the workspace does not
     // follow the walker: around the whole building, or at a fixed place. Call this function once a tick, after walking.
-    void stay_with_body(double now_s);
+    void stay_with_walker(double now_s);
     // Announces where the workspace has come to rest. Plays a sound when the workspace cannot move farther.
-    void tell_motion(double now_s);
+    void announce_motion(double now_s);
     // Renders the scene that a background task has made, and moves the hand out of any solid that has appeared at its
     // place. `quietly`: simplifications are not announced.
     void take_touch(bool rooms_known, bool quietly, double now_s);
     // Ends the announcement of the last change of scale, so that the answer is not continued. Call this function for
     // each command that other features carry out.
-    void note_command() { scale_asked_s_.reset(); }
+    void note_command() { scale_requested_s_.reset(); }
     // Moves the workspace to the nearest place where the proxy fits, because nothing can move the hand on the device.
     // Returns the distance in words, or an empty text if the proxy already fits. `middle_was_m` is the middle of the
-    // workspace when the hand's position was measured. `with_body` is true if the walker has just been brought out of a
-    // solid too. The hand is then freed even if it began inside a solid.
-    std::string bring_out(const Vec3& middle_was_m, bool with_body, double now_s);
+    // workspace when the hand's position was measured. `with_walker` is true if the walker has just been brought out of
+    // a solid too. The hand is then freed even if it began inside a solid.
+    std::string bring_out(const Vec3& middle_was_m, bool with_walker, double now_s);
 
     // Moves the target of the simulated hand by a vector in the device frame. The target stays within the hand's reach.
     void move_hand(const Vec3& by_device_m);
@@ -79,10 +79,10 @@ public:
 
     // The session sets this function. It is called once each time the workspace comes to rest. It returns true if
     // guidance of the hand has brought the workspace there, so that nothing is announced.
-    std::function<bool()> rests_untold;
+    std::function<bool()> rests_silently;
     // The session sets this function. It returns true if the place is in the walker's room, as far as the rooms are
     // known.
-    std::function<bool(const Vec3& place_m)> in_room_of_body;
+    std::function<bool(const Vec3& place_m)> in_room_of_walker;
 
 private:
     Vec3 shift_of(const servo::ToolState& tool) const {
@@ -90,13 +90,13 @@ private:
     }
     // Returns how far the hands themselves have moved the workspace since the last jump of the pose.
     Vec3 shift_by_hand_m() const { return shift_of(hands_.tool) + shift_of(hands_.left_tool); }
-    servo::WorkspacePose pose_beside(const Vec3& others_shift_m) const;
+    servo::WorkspacePose pose_next_to(const Vec3& others_shift_m) const;
     Vec3 origin_m() const;
-    bool goes_with_body() const;
-    bool body_sees(const Vec3& place_m) const;
+    bool goes_with_walker() const;
+    bool walker_sees(const Vec3& place_m) const;
     Vec3 hand_in_m(const Vec3& origin_m) const;
-    Vec3 way_to_body_m() const;
-    std::string bring_to_body(double now_s);
+    Vec3 shift_to_walker_m() const;
+    std::string bring_to_walker(double now_s);
     void switch_frame(double now_s);
     void zoom(NamedScale scale, double now_s);
     void turn(double by_deg, double now_s);
@@ -116,10 +116,10 @@ private:
     Vec3 shift_m_{0.0};
     Vec3 push_tap_{0.0};  // direction in which the last tap of a key pushes the workspace, until push_until_s_
     double push_until_s_ = -1.0;
-    servo::WorkspaceMotion motion_told_ = servo::WorkspaceMotion::Still;
+    servo::WorkspaceMotion motion_announced_ = servo::WorkspaceMotion::Still;
     // Time of the last change of scale. Its announcement continues once the hand feels the new scale.
-    std::optional<double> scale_asked_s_;
-    bool limit_told_ = false;
+    std::optional<double> scale_requested_s_;
+    bool limit_announced_ = false;
     Vec3 seen_from_m_{0.0};  // position of the walker's feet when the walker last saw the hand
     double left_behind_s_ = 0.0;
     Vec3 hand_target_m_{0.0};

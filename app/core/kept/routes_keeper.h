@@ -11,9 +11,10 @@
 namespace handrail::core {
 
 struct RoutesKeeper {
-    // Returns the unpacked bytes stored under `key` (ways_key in worlds/stored/stored_ways.h), or an empty string.
+    // Returns the unpacked bytes stored under `key` (navigation_key in worlds/stored/stored_navigation.h), or an empty
+    // string.
     std::function<std::string(const std::string& key, const std::stop_token& stop)> take;
-    // Stores bytes that stored_ways has packed.
+    // Stores bytes that stored_navigation has packed.
     std::function<void(const std::string& key, std::string_view packed)> keep;
 
     explicit operator bool() const { return take && keep; }

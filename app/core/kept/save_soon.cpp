@@ -16,12 +16,12 @@ bool SaveSoon::take_due(double now_s) {
 
 std::optional<std::string> SaveSoon::ended(const Result<void>& saved, double now_s) {
     if (saved) {
-        told_.clear();
+        reported_.clear();
         return std::nullopt;
     }
     if (!due_s_) due_s_ = now_s + kRetry_s;
     std::string sentence = saved.error().sentence();
-    if (sentence == std::exchange(told_, sentence)) return std::nullopt;
+    if (sentence == std::exchange(reported_, sentence)) return std::nullopt;
     return sentence;
 }
 

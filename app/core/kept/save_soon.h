@@ -25,7 +25,7 @@ public:
 
 private:
     std::optional<double> due_s_;
-    std::string told_;
+    std::string reported_;
 };
 
 }  // namespace handrail::core

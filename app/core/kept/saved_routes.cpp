@@ -17,7 +17,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr const char* kWayTable = "way";
+constexpr const char* kRouteTable = "way";
 constexpr const char* kStops = "stop";
 constexpr double kSamePoint_m = 1e-6;
 
@@ -38,7 +38,7 @@ Result<Stop> stop_from(const SideEntry& entry, std::size_t number) {
     return stop;
 }
 
-Result<SavedRoute> way_from(const SideEntry& entry) {
+Result<SavedRoute> route_from(const SideEntry& entry) {
     SavedRoute way;
     const auto name = good_name(text_of(entry, "name"));
     if (!name) return fail(phrase("ways.entry_name"));
@@ -59,7 +59,7 @@ Result<SavedRoute> way_from(const SideEntry& entry) {
     return way;
 }
 
-SideEntry way_entry(const SavedRoute& way) {
+SideEntry route_entry(const SavedRoute& way) {
     SideEntry entry = way.kept;
     entry["name"] = way.name;
     if (!way.world.empty()) entry["world"] = way.world;
@@ -78,13 +78,13 @@ SideEntry way_entry(const SavedRoute& way) {
 }
 
 // Returns the name of the stop `at`, or of the last stop before it that has a name.
-std::string told_as(const std::vector<Stop>& stops, std::size_t at) {
+std::string name_up_to(const std::vector<Stop>& stops, std::size_t at) {
     while (at > 0 && stops[at].name.empty()) --at;
     return stops[at].name;
 }
 
 // Returns the name of the stop `at`, or of the next stop after it that has a name.
-std::string told_next(const std::vector<Stop>& stops, std::size_t at) {
+std::string name_from(const std::vector<Stop>& stops, std::size_t at) {
     while (at + 1 < stops.size() && stops[at].name.empty()) ++at;
     return stops[at].name;
 }
@@ -100,7 +100,7 @@ void look_for_thing(FoundRoute& found, std::size_t i, const Scene& scene, const 
             nearest = &feature;
         }
     }
-    if (!nearest) return found.faults.push_back({StopFault::Kind::ThingGone, i, 0.0});
+    if (!nearest) return found.faults.push_back({StopFault::Kind::ThingMissing, i, 0.0});
     if (std::abs(near_m - stop.thing_m) <= kStopMoved_m) return;
     found.faults.push_back({StopFault::Kind::ThingMoved, i, near_m});
     const Vec3 beside = glm::clamp(stop.place_m, nearest->bounds_m.min_m, nearest->bounds_m.max_m);
@@ -124,17 +124,17 @@ void look_for_room(FoundRoute& found, std::size_t i, const navigation::Navigatio
             stop.place_m = graph.rooms[room].middle_m;
             return;
         }
-    found.faults.push_back({StopFault::Kind::RoomGone, i, 0.0});
+    found.faults.push_back({StopFault::Kind::RoomMissing, i, 0.0});
 }
 
 }  // namespace
 
-std::vector<SavedRoute> read_ways(const SideFile& file, std::vector<Error>& faults) {
-    return read_list(file, kWayTable, way_from, faults);
+std::vector<SavedRoute> read_saved_routes(const SideFile& file, std::vector<Error>& faults) {
+    return read_list(file, kRouteTable, route_from, faults);
 }
 
-void write_ways(SideFile& file, const std::vector<SavedRoute>& ways) {
-    write_list(file, kWayTable, ways, way_entry, way_from);
+void write_saved_routes(SideFile& file, const std::vector<SavedRoute>& ways) {
+    write_list(file, kRouteTable, ways, route_entry, route_from);
 }
 
 FoundRoute look_up(const SavedRoute& way, const Scene& scene, const SideFile& file,
@@ -152,7 +152,7 @@ FoundRoute look_up(const SavedRoute& way, const Scene& scene, const SideFile& fi
             found.faults.push_back({StopFault::Kind::NoPlace, i, 0.0});
         else if (i > 0 && navigation.nearest_place(found.stops[i - 1].place_m) &&
                  !navigation.reachable(found.stops[i - 1].place_m, stop.place_m))
-            found.faults.push_back({StopFault::Kind::NoWay, i, 0.0});
+            found.faults.push_back({StopFault::Kind::NoRoute, i, 0.0});
     }
     return found;
 }
@@ -162,15 +162,16 @@ namespace {
 std::string one_fault(const FoundRoute& found, const StopFault& fault,
                       const std::function<std::string(double)>& distance) {
     using Kind = StopFault::Kind;
-    const std::string stop = told_next(found.stops, fault.stop);
-    if (fault.kind == Kind::NoWay)
-        return phrase("ways.no_way", {{"from", told_as(found.stops, fault.stop - 1)}, {"to", stop}});
+    const std::string stop = name_from(found.stops, fault.stop);
+    if (fault.kind == Kind::NoRoute)
+        return phrase("ways.no_way", {{"from", name_up_to(found.stops, fault.stop - 1)}, {"to", stop}});
     if (fault.kind == Kind::NoPlace)
         return phrase(found.stops[fault.stop].name.empty() ? "ways.no_place_before" : "ways.no_place",
                       {{"stop", stop}});
-    const bool of_room = fault.kind == Kind::RoomGone || fault.kind == Kind::RoomMoved;
+    const bool of_room = fault.kind == Kind::RoomMissing || fault.kind == Kind::RoomMoved;
     const std::string what = of_room ? found.stops[fault.stop].room : stop;
-    if (fault.kind == Kind::ThingGone || fault.kind == Kind::RoomGone) return phrase("ways.gone", {{"stop", what}});
+    if (fault.kind == Kind::ThingMissing || fault.kind == Kind::RoomMissing)
+        return phrase("ways.gone", {{"stop", what}});
     return phrase("ways.moved", {{"stop", what}, {"distance", distance(fault.moved_m)}});
 }
 
@@ -230,7 +231,7 @@ std::vector<Vec3> corners_of(std::span<const Vec3> trail_m, double off_m) {
         double most_m = off_m;
         for (std::size_t i = first + 1; i < last; ++i)
             if (const double away_m =
-                    navigation::nearest_on_way(std::array{trail_m[first], trail_m[last]}, trail_m[i]).distance_m;
+                    navigation::nearest_on_path(std::array{trail_m[first], trail_m[last]}, trail_m[i]).distance_m;
                 away_m > most_m) {
                 most_m = away_m;
                 farthest = i;

@@ -41,19 +41,19 @@ inline constexpr double kTrailBend_m = 0.4;  // largest distance of a simplified
 
 // Returns the routes in the order of the side file. Entries that are not routes stay in the file but are not returned.
 // For each of these entries, `faults` receives the file, the line, what is wrong and what to do.
-std::vector<SavedRoute> read_ways(const SideFile& file, std::vector<Error>& faults);
-void write_ways(SideFile& file, const std::vector<SavedRoute>& ways);
+std::vector<SavedRoute> read_saved_routes(const SideFile& file, std::vector<Error>& faults);
+void write_saved_routes(SideFile& file, const std::vector<SavedRoute>& ways);
 
 // A reason why a saved route does not fit the present world.
 struct StopFault {
     enum class Kind : std::uint8_t {
-        ThingGone,
+        ThingMissing,
         ThingMoved,  // the thing is at another place
-        RoomGone,
+        RoomMissing,
         RoomMoved,  // the room is at another place
         NoPlace,    // the walker cannot stand there
-        NoWay,      // there is no route on foot from the previous stop
-    } kind = Kind::ThingGone;
+        NoRoute,    // there is no route on foot from the previous stop
+    } kind = Kind::ThingMissing;
     std::size_t stop = 0;
     double moved_m = 0.0;
 };

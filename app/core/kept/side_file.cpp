@@ -26,7 +26,7 @@ constexpr std::size_t kLongestFile_bytes = std::size_t{16} << 20;
 // A file system allows 255 bytes for a name. The rest is for our extension and the extension of a temporary file.
 constexpr std::size_t kLongestFileName_bytes = 220;
 constexpr std::string_view kEnding = ".handrail.toml";
-constexpr std::size_t kMostTold = 5;
+constexpr std::size_t kMostNamed = 5;
 // Name of the list of marks. Two equal entries in this list are still two different marks.
 constexpr std::string_view kMarks = "mark";
 
@@ -153,8 +153,8 @@ void put_list(settings::TomlValue& root, const std::string& name, const std::vec
 }
 
 // Lists up to five of `names` in one sentence.
-std::string told(const std::vector<std::string>& names) {
-    const std::size_t count = std::min(names.size(), kMostTold);
+std::string first_names(const std::vector<std::string>& names) {
+    const std::size_t count = std::min(names.size(), kMostNamed);
     std::string text =
         fmt::format("{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(count), "; "));
     return names.size() > count ? phrase("side_file.more", {{"names", text}, {"count", names.size() - count}}) : text;
@@ -228,8 +228,8 @@ struct SideFile::Content {
                 merged.erase(name);
             }
         }
-        if (!conflicts.empty()) taken.news.push_back(phrase("side_file.conflict", {{"names", told(conflicts)}}));
-        if (!twice.empty()) taken.news.push_back(phrase("side_file.twice", {{"names", told(twice)}}));
+        if (!conflicts.empty()) taken.news.push_back(phrase("side_file.conflict", {{"names", first_names(conflicts)}}));
+        if (!twice.empty()) taken.news.push_back(phrase("side_file.twice", {{"names", first_names(twice)}}));
         return merged;
     }
 
@@ -459,7 +459,7 @@ std::string unreadable_words(std::string_view key, const std::vector<Error>& fau
 
 std::string unfit_words(std::string_view key, const std::vector<std::string>& unfit, std::size_t all) {
     if (unfit.empty()) return {};
-    return phrase(key, {{"count", unfit.size()}, {"all", all}, {"names", told(unfit)}});
+    return phrase(key, {{"count", unfit.size()}, {"all", all}, {"names", first_names(unfit)}});
 }
 
 fs::path user_data_folder() {

@@ -141,14 +141,14 @@ std::string Labyrinth::state_words() const {
 // Lists what is in the corridor and where other corridors branch off, in order from the corridor's beginning, with
 // distances in rolls of the ball.
 std::string Labyrinth::corridor_words(const Corridor& corridor) const {
-    std::vector<std::pair<double, std::string>> told;
+    std::vector<std::pair<double, std::string>> said;
     const double near_m = 0.5 * corridor.across_m + 2.0 * radius_m_;
     const Vec3 middle = corridor.box_m.centre_m();
     const auto lies = [&](std::string what, const Vec3& at_m) {
         const double along_m = corridor.along_m(at_m), beside_m = corridor.east ? at_m.y - middle.y : at_m.x - middle.x;
         if (along_m < -2.0 * radius_m_ || along_m > corridor.length_m + 2.0 * radius_m_ || std::abs(beside_m) > near_m)
             return;
-        told.emplace_back(std::clamp(along_m, 0.0, corridor.length_m), std::move(what));
+        said.emplace_back(std::clamp(along_m, 0.0, corridor.length_m), std::move(what));
     };
     lies(body_name(context_, plan().ball), ball_m());
     for (std::size_t i = 0; i < plan().holes.size(); ++i)
@@ -159,11 +159,11 @@ std::string Labyrinth::corridor_words(const Corridor& corridor) const {
     constexpr std::array kTowards{"labyrinth.corridor_east", "labyrinth.corridor_north", "labyrinth.corridor_west",
                                   "labyrinth.corridor_south"};  // in the order of CorridorSide
     for (const Corridor::Branch& branch : corridor.branches)
-        told.emplace_back(branch.at_m,
+        said.emplace_back(branch.at_m,
                           phrase(kTowards.at(static_cast<std::size_t>(branch.towards)), {{"number", branch.to + 1}}));
-    std::stable_sort(told.begin(), told.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(said.begin(), said.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::string text;
-    for (const auto& [along_m, what] : told) {
+    for (const auto& [along_m, what] : said) {
         const double rolls = halves(along_m / roll_m());
         const char* where = rolls == 0.0                                    ? "labyrinth.at_beginning"
                             : rolls >= halves(corridor.length_m / roll_m()) ? "labyrinth.at_end"
@@ -214,7 +214,7 @@ bool Labyrinth::act(Command command, double now_s) {
 
 void Labyrinth::begin(double now_s) {
     began_s_ = fallen_s_ = -1.0;
-    over_ = hint_told_ = false;
+    over_ = hint_announced_ = false;
     nearest_m_ = to_goal_m();
     nearer_s_ = now_s;
 }
@@ -233,12 +233,12 @@ bool Labyrinth::covered(std::size_t which) const {
                                   [&](const FreeBody& body) { return body.feature == hit.feature; });
 }
 
-void Labyrinth::look_at_holes(double now_s, bool tell) {
+void Labyrinth::look_at_holes(double now_s, bool announces) {
     for (std::size_t i = 0; i < plan().holes.size(); ++i) {
         const bool is = covered(i);
         if (is == covered_[i]) continue;
         covered_[i] = is;
-        if (!tell) continue;
+        if (!announces) continue;
         if (is) context_.play_at(cues::SoundKind::Knock, plan().holes[i].box_m.centre_m(), now_s);
         context_.say(phrase(is ? "labyrinth.covered" : "labyrinth.open"), cues::SpeechClass::Answer, now_s);
     }
@@ -279,8 +279,8 @@ void Labyrinth::tick(double now_s) {
     }
     if (!bodies_.any_moving()) {
         // The hint is only for a person who has begun to roll the ball and gets no nearer to the goal.
-        if (began_s_ >= 0.0 && !over_ && !hint_told_ && now_s - nearer_s_ > kStuck_s) {
-            hint_told_ = true;
+        if (began_s_ >= 0.0 && !over_ && !hint_announced_ && now_s - nearer_s_ > kStuck_s) {
+            hint_announced_ = true;
             context_.answer(
                 phrase("labyrinth.stuck", {{"free", free_words()}, {"again", context_.keys.keys_of(Command::PutBack)}}),
                 now_s);
@@ -295,7 +295,7 @@ void Labyrinth::tick(double now_s) {
     for (const LabyrinthPlan::Place& hole : plan().holes)
         if (holds(hole.box_m, ball)) {
             fallen_s_ = now_s;
-            bodies_.step_is_told();
+            bodies_.step_is_announced();
             context_.play_at(cues::SoundKind::Falls, ball, now_s);
             return context_.answer(phrase("labyrinth.fell"), now_s);
         }
@@ -306,7 +306,7 @@ void Labyrinth::tick(double now_s) {
     for (const LabyrinthPlan::Place& goal : plan().goals)
         if (holds(goal.box_m, ball) && began_s_ >= 0.0) {
             over_ = true;
-            bodies_.step_is_told();
+            bodies_.step_is_announced();
             const double took_s = now_s - began_s_;
             context_.play(cues::SoundKind::Arrived, now_s);
             return context_.answer(phrase("labyrinth.finished", {{"time", time_words(took_s)}}) + " " +

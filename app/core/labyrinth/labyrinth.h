@@ -47,7 +47,7 @@ private:
     void meet_border(FeatureId thing, FeatureId met, double now_s);
     bool covered(std::size_t which) const;
     void begin(double now_s);
-    void look_at_holes(double now_s, bool tell);
+    void look_at_holes(double now_s, bool announces);
     void sound();
 
     Bodies& bodies_;
@@ -64,7 +64,7 @@ private:
     double thud_s_ = -1e9;
     // Shortest distance of the ball to the goal until now, and the time when the ball got there.
     double nearest_m_ = 0.0, nearer_s_ = 0.0;
-    bool hint_told_ = false;
+    bool hint_announced_ = false;
 };
 
 }  // namespace handrail::core

@@ -12,8 +12,8 @@ namespace handrail::core {
 std::string BestTimes::finish(const std::string& world, double took_s) {
     contract_pre(took_s >= 0.0);
     // The folder must exist. Otherwise the side file would be saved in another folder.
-    std::error_code told_when_saving;
-    if (!folder_.empty()) std::filesystem::create_directories(folder_, told_when_saving);
+    std::error_code reported_when_saving;
+    if (!folder_.empty()) std::filesystem::create_directories(folder_, reported_when_saving);
     SideFile times = folder_.empty() ? SideFile() : SideFile::of_world(folder_ / game_, folder_);
     SideEntry best = times.table("best_seconds");
     std::string text;

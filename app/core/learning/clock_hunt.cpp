@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/dialogue/words.h"
 #include "app/core/learning/time_words.h"
 #include "app/core/wayfinding/leg.h"
@@ -52,7 +52,7 @@ void ClockHunt::hide(double now_s) {
         return feature && feature->kind == FeatureKind::Door;
     });
     auto world = std::make_unique<WalkerWorld>(*context_.world.solids, std::make_shared<const Scene>(std::move(open)));
-    HuntGround ground(*world, context_.body.feet_m(), context_.body.walker->size());
+    HuntGround ground(*world, context_.avatar.feet_m(), context_.avatar.walker->size());
     if (ground.size() < 30) return context_.answer(phrase("hunt.no_space"), now_s);
     const Vec3 clock = ground.hiding_place(static_cast<std::uint64_t>(now_s * 1e3) + 7919U * ++hunts_, kHide_m);
     ground.aim(clock);
@@ -63,7 +63,7 @@ void ClockHunt::hide(double now_s) {
 }
 
 std::string ClockHunt::hint_words() const {
-    const Vec3& feet_m = context_.body.feet_m();
+    const Vec3& feet_m = context_.avatar.feet_m();
     // If the routes of this world are known, they give the distance, because a route can begin anywhere. Otherwise the
     // grid of the hunt gives it.
     std::optional<double> way;
@@ -75,7 +75,7 @@ std::string ClockHunt::hint_words() const {
             way = leg->route.length_m, next = leg->to_m;
     if (!way)
         way = hidden_->ground.way_m(feet_m),
-        next = hidden_->ground.next_m(*hidden_->open_world, feet_m, context_.body.walker->size());
+        next = hidden_->ground.next_m(*hidden_->open_world, feet_m, context_.avatar.walker->size());
     if (!way || !next) {
         const Vec3 to = hidden_->clock_m - feet_m;
         return phrase("hunt.straight",
@@ -97,7 +97,7 @@ void ClockHunt::tick(double now_s) {
     if (!hidden_) return;
     const bool reached = context_.hands.tool.ticks > 0 && context_.hands.right.present &&
                          glm::length(context_.hands.tool.proxy_m - (hidden_->clock_m + kAbove_m)) < kHandFinds_m;
-    if (!reached && !finds(*context_.world.solids, context_.body.feet_m(), hidden_->clock_m)) return;
+    if (!reached && !finds(*context_.world.solids, context_.avatar.feet_m(), hidden_->clock_m)) return;
     const double took_s = now_s - hidden_->began_s;
     const int hints = hidden_->hints;
     hidden_.reset();

@@ -113,7 +113,7 @@ Learnt::Learnt(Place place)
       known_(place_.walls.size(), false),
       walked_(place_.free.size(), false),
       beside_(place_.free.size(), false),
-      gone_to_(place_.exits.size(), false) {}
+      taken_(place_.exits.size(), false) {}
 
 void Learnt::lay(const LearningNotes& notes) {
     for (; touches_ < notes.touches().size(); ++touches_)
@@ -138,13 +138,13 @@ void Learnt::lay(const LearningNotes& notes) {
             const PlaceExit& exit = place_.exits[i];
             const Vec3 off = exit.at_m - step;
             const double near_m = exit.door ? kThrough_m : std::max(kThrough_m, 0.5 * exit.width_m);
-            if (std::abs(off.z) < kRoomHeight_m && std::hypot(off.x, off.y) <= near_m) gone_to_[i] = true;
+            if (std::abs(off.z) < kRoomHeight_m && std::hypot(off.x, off.y) <= near_m) taken_[i] = true;
         }
     }
 }
 
 bool Learnt::found(const PlaceExit& exit) const {
-    if (gone_to_[static_cast<std::size_t>(&exit - place_.exits.data())]) return true;
+    if (taken_[static_cast<std::size_t>(&exit - place_.exits.data())]) return true;
     for (std::size_t i = 0; i < known_.size(); ++i)
         if (known_[i] &&
             std::find(exit.features.begin(), exit.features.end(), place_.walls[i].feature) != exit.features.end())

@@ -100,7 +100,7 @@ public:
 private:
     Place place_;
     // What the person knows of each wall, cell, cell and exit, in this order.
-    std::vector<bool> known_, walked_, beside_, gone_to_;
+    std::vector<bool> known_, walked_, beside_, taken_;
     std::size_t touches_ = 0, steps_ = 0;  // numbers of touches and steps that lay() has used until now
 };
 

@@ -19,7 +19,7 @@ struct RoomLearning {
     std::optional<Vec3> base_m;
     bool walls_done = false;
     std::vector<FeatureId> done;  // walls that have been announced as done
-    std::size_t lanes_told = 0;
+    std::size_t lanes_announced = 0;
     bool to_base = false;  // true: a wall has been announced since the person was last at the base
     bool lanes_done = false;
     // True: the progress comes from an earlier session, so walls that are already done are not announced again.

@@ -83,7 +83,7 @@ Result<KeptLearning> read_learnt(const SideFile& file) {
         const double lanes = number_of(rooms[i], "lanes", 0.0);
         if (room.name.empty() || !is_time(room.spent_s) || !(lanes >= 0.0 && lanes < 1e6))
             return tl::unexpected(file.fault_in("learnt_room", i, phrase("learning.no_memory")));
-        room.lanes_told = static_cast<int>(lanes);
+        room.lanes_announced = static_cast<int>(lanes);
         const auto walls = rooms[i].find("walls_done");
         if (const bool* done = walls == rooms[i].end() ? nullptr : std::get_if<bool>(&walls->second))
             room.walls_done = *done;
@@ -124,7 +124,7 @@ void write_learnt(SideFile& file, const KeptLearning& kept) {
         if (own == rooms.end()) own = rooms.insert(own, SideEntry{{"name", room.name}});
         (*own)["spent_s"] = rounded(room.spent_s, 10.0);
         (*own)["walls_done"] = room.walls_done;
-        (*own)["lanes"] = static_cast<std::int64_t>(room.lanes_told);
+        (*own)["lanes"] = static_cast<std::int64_t>(room.lanes_announced);
         if (room.base_m) put_place(*own, *room.base_m);
     }
     file.set_entries("learnt_room", rooms);

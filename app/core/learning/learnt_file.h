@@ -17,7 +17,7 @@ struct KeptRoom {
     double spent_s = 0.0;
     std::optional<Vec3> base_m;
     bool walls_done = false;
-    int lanes_told = 0;
+    int lanes_announced = 0;
 };
 struct KeptLearning {
     int sessions = 0;  // number of sessions in which the person learnt something in this world

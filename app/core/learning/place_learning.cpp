@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/dialogue/words.h"
 #include "app/core/learning/time_words.h"
 #include "app/core/world/trail.h"
@@ -24,7 +24,7 @@ long percent(double share) { return static_cast<long>(std::floor(100.0 * share +
 }  // namespace
 
 bool PlaceLearning::act(Command command, double now_s) {
-    if (command == Command::Unexplored) tell_unexplored(now_s);
+    if (command == Command::Unexplored) announce_unexplored(now_s);
     else if (command == Command::ProgressReport) context_.answer(progress_words(now_s), now_s);
     else if (command == Command::LearnPlace) toggle(now_s);
     else if (command == Command::LearntRooms) list_rooms(now_s);
@@ -52,7 +52,7 @@ void PlaceLearning::take_kept() {
     state_.kept = std::move(*kept);
 }
 
-void PlaceLearning::tell_kept(double now_s) {
+void PlaceLearning::announce_kept(double now_s) {
     if (state_.fault)
         return context_.say(phrase("learning.unreadable", {{"fault", state_.fault->sentence()}}),
                             cues::SpeechClass::Answer, now_s);
@@ -83,9 +83,9 @@ void PlaceLearning::keep(double now_s) {
     for (const auto& [number, learning] : state_.rooms)
         if (rooms_.found() && number < rooms_.graph().rooms.size())
             kept.rooms.push_back({rooms_.graph().rooms[number].name, learning.spent_s, learning.base_m,
-                                  learning.walls_done, static_cast<int>(learning.lanes_told)});
+                                  learning.walls_done, static_cast<int>(learning.lanes_announced)});
     write_learnt(context_.additions, kept);
-    context_.asks.save_additions(now_s);
+    context_.session_requests.save_additions(now_s);
 }
 
 // Returns the progress in a room, including the progress that an earlier session stored.
@@ -99,27 +99,27 @@ RoomLearning& PlaceLearning::room(std::uint32_t number) {
         learning.spent_s = kept.spent_s;
         learning.base_m = kept.base_m;
         learning.walls_done = kept.walls_done;
-        learning.lanes_told = static_cast<std::size_t>(kept.lanes_told);
+        learning.lanes_announced = static_cast<std::size_t>(kept.lanes_announced);
         learning.remembered = true;
     }
     return learning;
 }
 
 void PlaceLearning::note(const std::optional<Vec3>& bumped, const std::optional<Vec3>& trailed, double now_s) {
-    const Vec3& feet_m = context_.body.feet_m();
-    const double radius = context_.body.walker->size().radius_m;
+    const Vec3& feet_m = context_.avatar.feet_m();
+    const double radius = context_.avatar.walker->size().radius_m;
     if (bumped) state_.notes.touched(feet_m - *bumped * radius, *bumped, radius);
     state_.unplaced_s += now_s - std::exchange(state_.last_s, now_s);
     spend_time();
-    if (context_.body.walker->state().on_ground) state_.notes.walked(feet_m);
+    if (context_.avatar.walker->state().on_ground) state_.notes.walked(feet_m);
     if (trailed) state_.notes.touched(feet_m - *trailed * (radius + Trail::kGap_m), *trailed, radius);
     for (const servo::ToolState* tool : {&context_.hands.tool, &context_.hands.left_tool})
         for (std::size_t i = 0; i < tool->contacts.count; ++i) {
             const render::Contact& contact = tool->contacts.contacts[i];
-            const Vec3 point = tool->proxy_m - contact.normal * tool->ball_radius_m;
+            const Vec3 point = tool->proxy_m - contact.normal * tool->proxy_radius_m;
             // A hand moves fast. If it stayed on the same wall, it also touched everything between its places in two
             // frames.
-            double reach = tool->ball_radius_m;
+            double reach = tool->proxy_radius_m;
             if (contact.feature == state_.hand_feature) reach += std::min(0.5, glm::length(point - state_.hand_m));
             state_.notes.touched(point, contact.normal, reach);
             if (tool == &context_.hands.tool && i == tool->contacts.strongest) {
@@ -205,11 +205,11 @@ std::string PlaceLearning::progress_words(double now_s) {
     return named.empty() ? text : text + " " + phrase("learning.touched", {{"names", named}});
 }
 
-void PlaceLearning::tell_unexplored(double now_s) {
+void PlaceLearning::announce_unexplored(double now_s) {
     if (!in_known_room(now_s)) return context_.answer(no_room_words(), now_s);
-    const auto left = nearest_unexplored(learnt_of(rooms_.here()), context_.body.feet_m());
+    const auto left = nearest_unexplored(learnt_of(rooms_.here()), context_.avatar.feet_m());
     if (!left) return context_.answer(phrase("learning.all_explored"), now_s);
-    const double dx = left->point_m.x - context_.body.feet_m().x, dy = left->point_m.y - context_.body.feet_m().y;
+    const double dx = left->point_m.x - context_.avatar.feet_m().x, dy = left->point_m.y - context_.avatar.feet_m().y;
     const std::string where = where_words(context_, std::hypot(dx, dy), std::atan2(dx, dy));
     context_.answer(
         left->wall ? phrase("learning.unexplored_wall", {{"wall", name_of(context_, left->feature)}, {"where", where}})
@@ -266,7 +266,7 @@ void PlaceLearning::list_rooms(double now_s) {
 
 // Starts or ends the guided mode in the present room. Progress is kept.
 void PlaceLearning::toggle(double now_s) {
-    if (state_.on && ask_relations(now_s)) return;
+    if (state_.on && pose_relation_questions(now_s)) return;
     state_.on = !state_.on;
     state_.seen_notes = 0;
     state_.room = navigation::kNothing;
@@ -284,7 +284,7 @@ void PlaceLearning::toggle(double now_s) {
                 now_s);
             return;
         }
-        here.base_m = context_.body.feet_m();
+        here.base_m = context_.avatar.feet_m();
     }
     context_.answer(phrase("learning.begun", {{"room", known ? sentence_case(rooms_.graph().rooms[rooms_.here()].name)
                                                              : phrase("learning.this_place")},
@@ -295,11 +295,11 @@ void PlaceLearning::toggle(double now_s) {
 }
 
 bool PlaceLearning::at_base(const RoomLearning& room) const {
-    return room.base_m && glm::length(*room.base_m - context_.body.feet_m()) <= kAtBase_m;
+    return room.base_m && glm::length(*room.base_m - context_.avatar.feet_m()) <= kAtBase_m;
 }
 
 std::string PlaceLearning::to_base_words(const RoomLearning& room) const {
-    const Vec3 base = *room.base_m - context_.body.feet_m();
+    const Vec3 base = *room.base_m - context_.avatar.feet_m();
     const double distance_m = std::hypot(base.x, base.y);
     if (distance_m <= kAtBase_m) return phrase("learning.at_base");
     return phrase("learning.to_base", {{"where", where_words(context_, distance_m, std::atan2(base.x, base.y))}});
@@ -314,7 +314,7 @@ void PlaceLearning::back_at_base(double now_s) {
     here.to_base = false;
     context_.play(cues::SoundKind::Arrived, now_s);
     std::string text = phrase("learning.base_again");
-    const Vec3 feet_m = context_.body.feet_m();
+    const Vec3 feet_m = context_.avatar.feet_m();
     const Learnt& learnt = learnt_of(state_.room);
     const WallSample* next = nullptr;
     for (std::size_t i = 0; i < learnt.place().walls.size(); ++i) {
@@ -334,17 +334,18 @@ void PlaceLearning::back_at_base(double now_s) {
 
 // Once all lanes are walked, asks the person where things are relative to each other. Returns false if it is too early
 // or if this room offers no questions.
-bool PlaceLearning::ask_relations(double now_s) {
+bool PlaceLearning::pose_relation_questions(double now_s) {
     if (state_.room == navigation::kNothing || rooms_.here() != state_.room) return false;
     RoomLearning& here = room(state_.room);
     if (!here.base_m || !std::exchange(here.lanes_done, false)) return false;
     std::vector<RelationQuestion> questions = relation_questions(context_, rooms_, state_.room, *here.base_m);
     if (questions.empty()) return false;
-    ask_relation(std::move(questions), 0, 0, now_s);
+    pose_relation_question(std::move(questions), 0, 0, now_s);
     return true;
 }
 
-void PlaceLearning::ask_relation(std::vector<RelationQuestion> questions, std::size_t at, int right, double now_s) {
+void PlaceLearning::pose_relation_question(std::vector<RelationQuestion> questions, std::size_t at, int right,
+                                           double now_s) {
     ListSpec list;
     list.title =
         phrase("learning.relation", {{"thing", questions[at].thing}, {"number", at + 1}, {"count", questions.size()}});
@@ -353,7 +354,7 @@ void PlaceLearning::ask_relation(std::vector<RelationQuestion> questions, std::s
         const double then_s = context_.tick_s;
         const RelationQuestion& question = questions[at];
         const bool is_right = kQuarters[chosen] == question.right;
-        context_.events.tell(
+        context_.events.report(
             Answered{phrase("learning.relation",
                             {{"thing", question.thing}, {"number", at + 1}, {"count", questions.size()}}),
                      side_words(kQuarters[chosen])},
@@ -364,7 +365,7 @@ void PlaceLearning::ask_relation(std::vector<RelationQuestion> questions, std::s
                                {{"thing", question.thing}, {"side", side}, {"distance", distance}}),
                         then_s);
         const int all_right = right + (is_right ? 1 : 0);
-        if (at + 1 < questions.size()) return ask_relation(questions, at + 1, all_right, then_s);
+        if (at + 1 < questions.size()) return pose_relation_question(questions, at + 1, all_right, then_s);
         context_.answer(phrase("learning.relations_done", {{"right", all_right}, {"count", questions.size()}}), then_s);
     };
     context_.open_list(std::move(list), now_s);
@@ -386,7 +387,7 @@ void PlaceLearning::guide(double now_s) {
         context_.answer(room.base_m ? phrase("learning.goes_on", {{"room", name}, {"share", share_words(progress)}})
                                     : phrase("learning.next_room", {{"room", name}}),
                         now_s);
-        if (!room.base_m) room.base_m = context_.body.feet_m();
+        if (!room.base_m) room.base_m = context_.avatar.feet_m();
     }
     int done = 0;
     for (const WallProgress& wall : progress.walls) done += wall.done();
@@ -395,7 +396,7 @@ void PlaceLearning::guide(double now_s) {
             std::find(room.done.begin(), room.done.end(), wall.feature) != room.done.end())
             continue;
         room.done.push_back(wall.feature);
-        context_.events.tell(WallDone{wall.feature, state_.room}, now_s);
+        context_.events.report(WallDone{wall.feature, state_.room}, now_s);
         std::string text = phrase("learning.wall_done", {{"wall", sentence_case(name_of(context_, wall.feature))},
                                                          {"done", done},
                                                          {"walls", progress.walls.size()}});
@@ -409,7 +410,7 @@ void PlaceLearning::guide(double now_s) {
         room.walls_done = true;
         context_.play(cues::SoundKind::Arrived, now_s);
         room.to_base = false;
-        const Vec3 base = *room.base_m - context_.body.feet_m();
+        const Vec3 base = *room.base_m - context_.avatar.feet_m();
         const std::string where = where_words(context_, glm::length(base), std::atan2(base.x, base.y));
         context_.answer(phrase("learning.walls_done", {{"left", static_cast<int>(progress.walls.size()) - done},
                                                        {"time", time_words(room.spent_s)},
@@ -419,7 +420,7 @@ void PlaceLearning::guide(double now_s) {
     const std::vector<Lane> lanes = lanes_of(learnt);
     std::size_t walked = 0;
     for (const Lane& lane : lanes) walked += lane.done();
-    if (walked > room.lanes_told && room.walls_done) {
+    if (walked > room.lanes_announced && room.walls_done) {
         room.lanes_done = walked == lanes.size();
         std::string next =
             phrase("learning.lanes_done",
@@ -427,7 +428,7 @@ void PlaceLearning::guide(double now_s) {
                     {"questions", relation_questions(context_, rooms_, rooms_.here(), *room.base_m).size()}});
         for (const Lane& lane : lanes)
             if (!lane.done()) {
-                const double off = lane.at_m - (lane.north ? context_.body.feet_m().x : context_.body.feet_m().y);
+                const double off = lane.at_m - (lane.north ? context_.avatar.feet_m().x : context_.avatar.feet_m().y);
                 const char* key = lane.north ? (off > 0.0 ? "learning.lane_to_east" : "learning.lane_to_west")
                                              : (off > 0.0 ? "learning.lane_to_north" : "learning.lane_to_south");
                 next = phrase(key, {{"distance", distance_words(std::abs(off), distances(context_))}});
@@ -435,7 +436,7 @@ void PlaceLearning::guide(double now_s) {
             }
         context_.answer(phrase("learning.lane_done", {{"done", walked}, {"lanes", lanes.size()}}) + " " + next, now_s);
     }
-    room.lanes_told = walked;
+    room.lanes_announced = walked;
 }
 
 }  // namespace handrail::core

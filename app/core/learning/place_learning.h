@@ -21,7 +21,7 @@ public:
     void enter_world(double now_s);
     // Announces the stored progress in this world, or why it cannot be read. Call it after the world has been
     // announced.
-    void tell_kept(double now_s);
+    void announce_kept(double now_s);
     // Reads the stored progress again. Call it when another session has saved more progress in the same world.
     void take_again();
     // Writes new progress to the side file, if the person wants progress to be remembered.
@@ -52,13 +52,13 @@ private:
     void back_at_base(double now_s);
     bool at_base(const RoomLearning& room) const;
     std::string to_base_words(const RoomLearning& room) const;
-    bool ask_relations(double now_s);
-    void ask_relation(std::vector<RelationQuestion> questions, std::size_t at, int right, double now_s);
+    bool pose_relation_questions(double now_s);
+    void pose_relation_question(std::vector<RelationQuestion> questions, std::size_t at, int right, double now_s);
     const Learnt& learnt_of(std::uint32_t number);
     bool in_known_room(double now_s);
     std::string no_room_words() const;
     std::string share_words(const Progress& progress) const;
-    void tell_unexplored(double now_s);
+    void announce_unexplored(double now_s);
     void list_rooms(double now_s);
     void toggle(double now_s);
     void guide(double now_s);

@@ -118,7 +118,7 @@ private:
     bool fits();
     void give(std::uint32_t span, bool own);
     bool floor_goes_on(const Doors& doors, std::size_t here, int cx, int cy, int dx, int dy);
-    std::optional<WallSample> wall_beside(int x, int y, int dx, int dy, const Doors& doors) const;
+    std::optional<WallSample> wall_at_side(int x, int y, int dx, int dy, const Doors& doors) const;
 
     const WalkerWorld& world_;
     const navigation::WalkSpace& space_;
@@ -269,13 +269,13 @@ void PlaceMaker::find_walls(const Doors& doors) {
             if (!place_.free[place_.at(x, y)]) continue;
             for (const auto& [dx, dy] : kCellWays)
                 if (outside_[place_.at(x + dx, y + dy)])
-                    if (const auto wall = wall_beside(x, y, dx, dy, doors)) place_.walls.push_back(*wall);
+                    if (const auto wall = wall_at_side(x, y, dx, dy, doors)) place_.walls.push_back(*wall);
         }
     place_.exits = exits_of_place(world_.scene(), graph_, room_, place_.walls);
 }
 
 // Returns the piece of wall between a cell and its neighbour. Returns no value if there is a drop or another room.
-std::optional<WallSample> PlaceMaker::wall_beside(int x, int y, int dx, int dy, const Doors& doors) const {
+std::optional<WallSample> PlaceMaker::wall_at_side(int x, int y, int dx, int dy, const Doors& doors) const {
     const Vec3 from = place_.middle_m(x, y), way(dx, dy, 0.0);
     WallSample sample{from + way * (0.5 * place_.cell_m), -way, doors.between(from, from + way * place_.cell_m),
                       place_.cell_m};

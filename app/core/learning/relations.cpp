@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/dialogue/words.h"
 #include "app/core/whereabouts/room_things.h"
 #include "worlds/base/language.h"

@@ -12,7 +12,7 @@ namespace handrail::core {
 namespace {
 
 constexpr std::size_t kMostPoints = 100'000;  // largest number of points, enough for 25 km
-constexpr std::size_t kMostTold = 2;
+constexpr std::size_t kMostAnnounced = 2;
 
 SideEntry* entry_of(std::vector<SideEntry>& ways, const std::string& goal) {
     const auto own =
@@ -42,14 +42,14 @@ void RouteMemory::see(const SessionEvent& event) {
 void RouteMemory::tick(double now_s) {
     if (going_.goal.empty()) return;
     if (!remembers(context_.additions)) return void(going_ = {});
-    if (std::exchange(going_.to_tell, false)) tell(now_s);
-    const Vec3& feet_m = context_.body.feet_m();
-    if (going_.walk.empty() || glm::length(feet_m - going_.walk.back().place_m) >= results::kWaySpacing_m)
+    if (std::exchange(going_.to_announce, false)) announce(now_s);
+    const Vec3& feet_m = context_.avatar.feet_m();
+    if (going_.walk.empty() || glm::length(feet_m - going_.walk.back().place_m) >= results::kPointSpacing_m)
         if (going_.walk.size() < kMostPoints) going_.walk.push_back({now_s, feet_m, false});
     if (going_.arrived) look_back(now_s);
 }
 
-void RouteMemory::tell(double now_s) {
+void RouteMemory::announce(double now_s) {
     std::vector<SideEntry> ways = context_.additions.entries("learnt_way");
     const SideEntry* own = entry_of(ways, going_.goal);
     if (!own) return;
@@ -59,7 +59,7 @@ void RouteMemory::tell(double now_s) {
     };
     std::stable_sort(turns.begin(), turns.end(),
                      [&](const SideTable& a, const SideTable& b) { return errors(a) > errors(b); });
-    if (turns.size() > kMostTold) turns.resize(kMostTold);
+    if (turns.size() > kMostAnnounced) turns.resize(kMostAnnounced);
     for (const SideTable& turn : turns) {
         const std::string at = text_of(turn.entry, "at");
         const auto early = static_cast<int>(std::clamp(number_of(turn.entry, "early", 0.0), 0.0, 1e3)),
@@ -101,7 +101,7 @@ void RouteMemory::look_back(double now_s) {
     if (turns.empty()) own->erase("turn");
     else (*own)["turn"] = std::move(turns);
     context_.additions.set_entries("learnt_way", ways);
-    context_.asks.save_additions(now_s);
+    context_.session_requests.save_additions(now_s);
 }
 
 }  // namespace handrail::core

@@ -27,15 +27,15 @@ public:
     void tick(double now_s);
 
 private:
-    void tell(double now_s);
+    void announce(double now_s);
     void look_back(double now_s);
 
     const SessionContext& context_;
     Rooms& rooms_;
     struct Going {
         std::string goal;  // name of the goal; empty: no guidance
-        std::vector<results::WayPoint> walk;
-        bool to_tell = false, arrived = false;
+        std::vector<results::WalkedPoint> walk;
+        bool to_announce = false, arrived = false;
     } going_;
 };
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "haptic/servo/workspace_map.h"
 #include "worlds/base/language.h"
 
@@ -33,11 +33,11 @@ void Exercise::take(const TeacherActed& act, double now_s) {
             task_ = act.text;
             context_.answer(task_, now_s);
             break;
-        case Kind::Ask:
+        case Kind::Question:
         case Kind::Order:
             question_ = Question{act.kind, act.text, act.items, {}, {}};
             task_ = act.text;
-            ask_again(now_s);
+            repeat_question(now_s);
             break;
         case Kind::Point:
             question_ = Question{act.kind, act.text, {}, {}, {}};
@@ -79,21 +79,23 @@ bool Exercise::act(Command command, double now_s) {
     }
     if (command != Command::TaskDone) return false;
     if (!under_way_) context_.answer(phrase("exercise.none", {{"key", context_.keys.keys_of(Command::Task)}}), now_s);
-    else if (!question_) wish(LessonWish::Done, now_s);
+    else if (!question_) request(LessonRequest::Done, now_s);
     else if (question_->kind == TeacherActed::Kind::Point) point(now_s);
-    else ask_again(now_s);
+    else repeat_question(now_s);
     return true;
 }
 
-void Exercise::wish(LessonWish wish, double now_s) const { context_.events.tell(LessonWished{wish}, now_s); }
+void Exercise::request(LessonRequest request, double now_s) const {
+    context_.events.report(LessonRequested{request}, now_s);
+}
 
-void Exercise::ask_again(double now_s) {
+void Exercise::repeat_question(double now_s) {
     if (question_->kind == TeacherActed::Kind::Order) return open_order(now_s);
     TextSpec text;
     text.question = question_->text;
     // The session reports every answered question as an event, so nothing more is needed here.
     text.done = [this](const std::string&) { question_.reset(); };
-    context_.ask_text(std::move(text), now_s);
+    context_.request_text(std::move(text), now_s);
 }
 
 // Asks which item comes next. The last item needs no question and is added automatically.
@@ -123,7 +125,7 @@ void Exercise::open_order(double now_s) {
         for (const std::size_t one : question_->chosen) text += fmt::format("{}{}", text.empty() ? "" : " ", one + 1);
         const std::string question = question_->text;
         question_.reset();
-        context_.events.tell(Answered{question, text}, then_s);
+        context_.events.report(Answered{question, text}, then_s);
     };
     context_.open_list(std::move(list), now_s);
 }
@@ -131,7 +133,7 @@ void Exercise::open_order(double now_s) {
 // Answers with the direction in which the hand has moved since the question, in degrees clockwise from north. If the
 // hand has not moved, the answer is the direction that the person faces.
 void Exercise::point(double now_s) {
-    double heading_rad = context_.body.heading_rad;
+    double heading_rad = context_.avatar.heading_rad;
     if (question_->hand_m && context_.hands.known()) {
         const Vec3 moved_m = context_.hands.tool.hand_m - *question_->hand_m;
         const Vec3 way = servo::frame_of(Vec3(0.0), workspace_heading_rad(context_)).turn_to_world(moved_m);
@@ -139,7 +141,7 @@ void Exercise::point(double now_s) {
     }
     const std::string question = question_->text;
     question_.reset();
-    context_.events.tell(Answered{question, fmt::format("{:.2f}", degrees_from_radians(heading_rad))}, now_s);
+    context_.events.report(Answered{question, fmt::format("{:.2f}", degrees_from_radians(heading_rad))}, now_s);
 }
 
 void Exercise::open_list(double now_s) {
@@ -152,15 +154,15 @@ void Exercise::open_list(double now_s) {
     std::vector<Row> rows{{"exercise.again", [this](double then_s) { context_.answer(task_, then_s); }}};
     if (question_ && question_->kind != TeacherActed::Kind::Point)
         rows.push_back({"exercise.answer", [this](double then_s) {
-                            if (question_) ask_again(then_s);
+                            if (question_) repeat_question(then_s);
                         }});
     rows.push_back({question_ ? "exercise.pass" : "exercise.done", [this](double then_s) {
                         question_.reset();
-                        wish(LessonWish::Done, then_s);
+                        request(LessonRequest::Done, then_s);
                     }});
-    rows.push_back({"exercise.more_help", [this](double then_s) { wish(LessonWish::MoreHelp, then_s); }});
-    rows.push_back({"exercise.less_help", [this](double then_s) { wish(LessonWish::LessHelp, then_s); }});
-    rows.push_back({"exercise.leave", [this](double then_s) { wish(LessonWish::Leave, then_s); }});
+    rows.push_back({"exercise.more_help", [this](double then_s) { request(LessonRequest::MoreHelp, then_s); }});
+    rows.push_back({"exercise.less_help", [this](double then_s) { request(LessonRequest::LessHelp, then_s); }});
+    rows.push_back({"exercise.leave", [this](double then_s) { request(LessonRequest::Leave, then_s); }});
     for (const Row& row : rows) list.items.push_back({phrase(row.name), {}, false});
     list.chosen = [this, rows](std::size_t at) { rows[at].act(context_.tick_s); };
     context_.open_list(std::move(list), now_s);

@@ -1,6 +1,6 @@
 // Runs an instructor's lesson on the side of the learner. It announces and repeats tasks, and passes on requests to the
 // teacher. It asks questions, which the learner answers by typing, choosing, facing or pointing. It does not know
-// lesson files. The listener for Answered and LessonWished decides what follows. Use it on the app thread only.
+// lesson files. The listener for Answered and LessonRequested decides what follows. Use it on the app thread only.
 #pragma once
 
 #include <cstddef>
@@ -35,13 +35,13 @@ public:
     std::function<void(double now_s)> on_prepare;
 
 private:
-    void ask_again(double now_s);
+    void repeat_question(double now_s);
     void open_order(double now_s);
     void point(double now_s);
     void open_list(double now_s);
     void open_offers(double now_s);
     void open_learners(const TeacherActed& act, double now_s);
-    void wish(LessonWish wish, double now_s) const;
+    void request(LessonRequest request, double now_s) const;
 
     const SessionContext& context_;
     bool under_way_ = false;
@@ -49,7 +49,7 @@ private:
     std::vector<std::string> offers_;
     // The question that waits for an answer.
     struct Question {
-        TeacherActed::Kind kind = TeacherActed::Kind::Ask;
+        TeacherActed::Kind kind = TeacherActed::Kind::Question;
         std::string text;
         std::vector<std::string> items;
         std::vector<std::size_t> chosen;

@@ -23,7 +23,7 @@ constexpr std::array kFindDoor{
     LessonStep{MeetDoor, "lesson.door.hand", "lesson.door.body", "lesson.door.done"},
 };
 constexpr std::array kWhereAmI{
-    LessonStep{Ask, "lesson.where.ask", "lesson.where.ask", "lesson.where.asked"},
+    LessonStep{WhereAmI, "lesson.where.ask", "lesson.where.ask", "lesson.where.asked"},
     LessonStep{GoHome, "lesson.where.hand", "lesson.where.body", "lesson.where.done"},
 };
 constexpr std::array kForcesOff{
@@ -123,7 +123,7 @@ LessonReply LessonRun::tick(const LessonSense& sense, const Scene& scene) {
         case LessonGoal::MeetDoor:
             done = meet([](FeatureId, const Feature& feature) { return feature.kind == FeatureKind::Door; });
             break;
-        case LessonGoal::Ask:
+        case LessonGoal::WhereAmI:
             done = did(sense, Command::WhereAmI);
             break;
         case LessonGoal::Look:

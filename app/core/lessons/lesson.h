@@ -22,8 +22,8 @@ enum class LessonGoal {
     NextWall,   // meet a different wall, that is, reach a corner
     MeetNamed,  // meet the thing that the step names
     MeetDoor,
-    Ask,   // ask where the walker is
-    Look,  // ask what is around
+    WhereAmI,  // ask where the walker is
+    Look,      // ask what is around
     GoHome,
     ForcesOff,
     ForcesOn,

@@ -17,8 +17,8 @@ constexpr double kAfterName_s = 1.5;
 
 }  // namespace
 
-LessonSession::LessonSession(const SessionContext& context, LeaveRequested& asked_to_leave)
-    : SessionPart(context), asked_to_leave_(asked_to_leave), who_speaks_(phrase("session.your_voice")) {}
+LessonSession::LessonSession(const SessionContext& context, LeaveRequested& leave_requested)
+    : SessionPart(context), leave_requested_(leave_requested), who_speaks_(phrase("session.your_voice")) {}
 
 bool LessonSession::hand() const { return context_.hands.right.present && !context_.hands.keys_alone; }
 
@@ -45,7 +45,7 @@ void LessonSession::begin(const Lesson& lesson, std::size_t at, double now_s) {
     bumped_.clear();
     set_up_over_ = !owner_sets_up_;
     run_.emplace(lesson, hand(), who_speaks_, at);
-    tell(run_->begin(), now_s);
+    announce(run_->begin(), now_s);
 }
 
 bool LessonSession::act(Command command, double now_s) {
@@ -55,7 +55,7 @@ bool LessonSession::act(Command command, double now_s) {
     return true;
 }
 
-void LessonSession::tell(const LessonReply& reply, double now_s) {
+void LessonSession::announce(const LessonReply& reply, double now_s) {
     if (reply.done && !reply.praise.empty()) context_.play(cues::SoundKind::Arrived, now_s);
     const double later_s = reply.done && !reply.praise.empty() ? now_s + kAfterName_s : now_s;
     if (!reply.praise.empty())
@@ -83,7 +83,7 @@ void LessonSession::tell(const LessonReply& reply, double now_s) {
 void LessonSession::say_due(double now_s) {
     const auto due = std::stable_partition(said_later_.begin(), said_later_.end(),
                                            [&](const SaidLater& later) { return later.due_s <= now_s; });
-    for (auto it = said_later_.begin(); it != due; ++it) context_.tell(it->topic, it->text, now_s);
+    for (auto it = said_later_.begin(); it != due; ++it) context_.announce(it->topic, it->text, now_s);
     said_later_.erase(said_later_.begin(), due);
     if (!said_later_.empty()) return;
     const After after = std::exchange(after_, After::Nothing);
@@ -92,19 +92,19 @@ void LessonSession::say_due(double now_s) {
         context_.answer(phrase("lesson.over", {{"key", context_.keys.keys_of(Command::Lessons)}}), now_s);
 }
 
-void LessonSession::tell_anew(cues::SpeechTopic topic, double now_s) {
+void LessonSession::announce_anew(cues::SpeechTopic topic, double now_s) {
     if (topic == cues::SpeechTopic::Praise) {
-        if (run_ && !praise_.empty()) context_.tell(topic, praise_, now_s, {.anew = true});
+        if (run_ && !praise_.empty()) context_.announce(topic, praise_, now_s, {.anew = true});
         return;
     }
     if (run_ && said_later_.empty() && !(run_->goal() == LessonGoal::SetUp && !owner_sets_up_))
-        context_.tell(cues::SpeechTopic::Lesson, run_->instruction(), now_s, {.anew = true});
+        context_.announce(cues::SpeechTopic::Lesson, run_->instruction(), now_s, {.anew = true});
 }
 
 // Returns what has happened since the last call.
 LessonSense LessonSession::sense() {
     const HandsState& hands = context_.hands;
-    const Vec3 feet_m = context_.body.feet_m();
+    const Vec3 feet_m = context_.avatar.feet_m();
     LessonSense sense;
     for (const servo::ToolState* tool : {&hands.tool, &hands.left_tool})
         for (int i = 0; tool->workspace_jump == hands.pose.jump && i < tool->contacts.count; ++i)
@@ -124,7 +124,7 @@ void LessonSession::tick(double now_s) {
     if (run_ && context_.world.scene) {
         run_->set_hand(hand());
         const LessonReply reply = run_->tick(sense(), *context_.world.scene);
-        if (reply.done || reply.finished) tell(reply, now_s);
+        if (reply.done || reply.finished) announce(reply, now_s);
     }
     did_.clear();
     bumped_.clear();
@@ -134,14 +134,14 @@ void LessonSession::tick(double now_s) {
 bool LessonSession::takes(Command command, double now_s) {
     if (!run_) return false;
     if (command == Command::Leave) {
-        if (!asked_to_leave_.lately(now_s) && run_->goal() != LessonGoal::Begin) {
-            asked_to_leave_.at_s = now_s;
+        if (!leave_requested_.lately(now_s) && run_->goal() != LessonGoal::Begin) {
+            leave_requested_.at_s = now_s;
             context_.answer(
                 phrase("lesson.is", {{"name", phrase(run_->lesson().name)}, {"instruction", run_->instruction()}}),
                 now_s);
             return true;
         }
-        asked_to_leave_ = {};
+        leave_requested_ = {};
         leave(now_s);
         return true;
     }
@@ -165,7 +165,7 @@ bool LessonSession::take_line(std::string_view line, double now_s) {
     for (const auto& [word, command] : {std::pair{"", Command::Use}, std::pair{"enter", Command::Use},
                                         std::pair{"space", Command::Repeat}, std::pair{"escape", Command::Leave}}) {
         if (lower_ascii(line) != word) continue;
-        context_.asks.perform(command, now_s);
+        context_.session_requests.perform(command, now_s);
         return true;
     }
     return false;
@@ -198,7 +198,9 @@ void LessonSession::choose_what_next(double now_s) {
         acts.push_back(std::move(act));
     };
     const auto run = [this](std::string_view word) {
-        return [this, command = find_command(word)->command] { context_.asks.perform(command, context_.tick_s); };
+        return [this, command = find_command(word)->command] {
+            context_.session_requests.perform(command, context_.tick_s);
+        };
     };
     add(phrase("lesson.next.freely"), [] {});
     add(phrase("lesson.next.walls"), run("learn"));

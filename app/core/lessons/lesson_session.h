@@ -17,9 +17,9 @@ namespace handrail::core {
 
 class LessonSession : SessionPart {
 public:
-    // `asked_to_leave` is shared with the session. So if the person asked to leave shortly before the lesson began, a
+    // `leave_requested` is shared with the session. So if the person asked to leave shortly before the lesson began, a
     // second request during the lesson leaves at once.
-    LessonSession(const SessionContext& context, LeaveRequested& asked_to_leave);
+    LessonSession(const SessionContext& context, LeaveRequested& leave_requested);
 
     // Begins the first minutes, before a world is entered or in a world, at the step where the person left them.
     // `who_speaks` names the speech program, such as "speech-dispatcher". `owner_sets_up`: the owner runs the set-up by
@@ -48,7 +48,7 @@ public:
     void tick(double now_s);
     // Says once more the announcement that was cut off: the instruction of the present step, or the praise for the
     // previous one.
-    void tell_anew(cues::SpeechTopic topic, double now_s);
+    void announce_anew(cues::SpeechTopic topic, double now_s);
     // Returns true if the lesson has evaluated everything that happened, and no announcement is waiting.
     bool idle() const;
 
@@ -66,13 +66,13 @@ private:
     bool in_first_minutes() const;
     void begin(const Lesson& lesson, std::size_t at, double now_s);
     LessonSense sense();
-    void tell(const LessonReply& reply, double now_s);
+    void announce(const LessonReply& reply, double now_s);
     void say_due(double now_s);
     void keep_welcome(int step, bool done);
     void choose_what_next(double now_s);
     void open_list(double now_s);
 
-    LeaveRequested& asked_to_leave_;
+    LeaveRequested& leave_requested_;
     std::optional<LessonRun> run_;
     std::vector<Command> did_;       // commands since the last tick
     std::vector<FeatureId> bumped_;  // features that the walker bumped into since the last tick

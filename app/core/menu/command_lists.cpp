@@ -60,7 +60,7 @@ void CommandLists::open(bool to_rebind, double now_s) {
         list.items.push_back({phrase(kTopics[i].key), counted(commands_of(i).size()), false});
     if (!to_rebind) list.items.push_back({phrase("menu.search"), {}, false});
     list.chosen = [this, to_rebind](std::size_t i) {
-        if (i == kTopics.size() + 1) return ask_for_search(context_.tick_s);
+        if (i == kTopics.size() + 1) return request_search(context_.tick_s);
         std::vector<Command> commands;
         if (i > 0) commands = commands_of(i - 1);
         else
@@ -81,7 +81,7 @@ void CommandLists::open(bool to_rebind, double now_s) {
 }
 
 // Asks for a word, and searches for it in the names and help lines of all commands.
-void CommandLists::ask_for_search(double now_s) {
+void CommandLists::request_search(double now_s) {
     TextSpec question;
     question.question = phrase("menu.search_for");
     question.done = [this](const std::string& typed) {
@@ -94,7 +94,7 @@ void CommandLists::ask_for_search(double now_s) {
         if (commands.empty()) return context_.answer(phrase("menu.none_found", {{"typed", typed}}), context_.tick_s);
         open_commands(std::move(commands), false, context_.tick_s);
     };
-    context_.ask_text(std::move(question), now_s);
+    context_.request_text(std::move(question), now_s);
 }
 
 void CommandLists::open_commands(std::vector<Command> commands, bool to_rebind, double now_s) {
@@ -107,7 +107,7 @@ void CommandLists::open_commands(std::vector<Command> commands, bool to_rebind, 
     }
     list.chosen = [this, to_rebind, commands = std::move(commands)](std::size_t i) {
         if (to_rebind) return open_rebinding(commands[i], context_.tick_s);
-        context_.asks.perform(commands[i], context_.tick_s);
+        context_.session_requests.perform(commands[i], context_.tick_s);
     };
     context_.open_list(std::move(list), now_s);
 }
@@ -148,7 +148,7 @@ void CommandLists::take_new_key(const std::string& key, double now_s) {
         const std::string before = wanted.one_more ? context_.keys.words_of_keys(wanted.command) : std::string{};
         changes.emplace_back(wanted.command, before.empty() ? key : before + " " + key);
         for (const auto& [command, keys] : changes)
-            if (const auto set = context_.asks.set(setting_of_keys(command), keys, at_s); !set)
+            if (const auto set = context_.session_requests.set(setting_of_keys(command), keys, at_s); !set)
                 return context_.answer(set.error().message, at_s);
         context_.answer(phrase("menu.command_has", {{"command", short_help(info(wanted.command))},
                                                     {"keys", context_.keys.keys_of(wanted.command)}}),

@@ -27,7 +27,7 @@ public:
     bool take_line(std::string_view line, double now_s);
 
 private:
-    void ask_for_search(double now_s);
+    void request_search(double now_s);
     void open_commands(std::vector<Command> commands, bool to_rebind, double now_s);
     void open_rebinding(Command command, double now_s);
     void take_new_key(const std::string& key, double now_s);

@@ -14,7 +14,7 @@ bool Menu::act(Command command, double now_s) {
     else if (command == Command::Help) commands_.open(false, now_s);
     else if (command == Command::InputHelp) commands_.toggle_input_help(now_s);
     else if (command == Command::Language) languages_.open(now_s);
-    else if (command == Command::Devices) reports_.ask_for_devices(now_s);
+    else if (command == Command::Devices) reports_.request_devices(now_s);
     else return false;
     return true;
 }
@@ -39,7 +39,7 @@ void Menu::open(double now_s) {
     add(phrase("menu.settings"), [this] { open_setting_topics(context_, context_.tick_s); });
     add(phrase("menu.keys"), [this] { commands_.open(true, context_.tick_s); });
     add(phrase("menu.sounds"), [this] { open_sounds(context_.tick_s); });
-    add(phrase("menu.devices"), [this] { reports_.ask_for_devices(context_.tick_s); });
+    add(phrase("menu.devices"), [this] { reports_.request_devices(context_.tick_s); });
     if (reports_.has_crash()) add(phrase("menu.crash_report"), [this] { reports_.open_crash(context_.tick_s); });
     if (reports_.has_settings_faults())
         add(phrase("menu.settings_faults"), [this] { reports_.open_settings_faults(context_.tick_s); });
@@ -48,7 +48,7 @@ void Menu::open(double now_s) {
           std::pair{"menu.set_up", Command::Calibrate}, std::pair{"menu.leave", Command::Leave}}) {
         add(phrase(key), [this, chosen = command] {
             context_.lists.dialogue.close_all();
-            context_.asks.perform(chosen, context_.tick_s);
+            context_.session_requests.perform(chosen, context_.tick_s);
         });
         if (command == Command::Learners) list.items.back().also_typed = phrase("menu.learners_question");
     }
@@ -69,7 +69,7 @@ void Menu::open_sounds(double now_s) {
         request.text = (*entries)[i].text;
         request.sound = (*entries)[i].kind;
         request.material = (*entries)[i].material;
-        request.position_m = context_.body.ears_m() + forward_of_heading(context_.body.heading_rad);
+        request.position_m = context_.avatar.ears_m() + forward_of_heading(context_.avatar.heading_rad);
         context_.cues.cue(std::move(request));
     };
     context_.open_list(std::move(list), now_s);

@@ -1,20 +1,20 @@
 #include "app/core/menu/report_lists.h"
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "worlds/base/language.h"
 
 namespace handrail::core {
 
-void ReportLists::ask_for_devices(double now_s) {
+void ReportLists::request_devices(double now_s) {
     context_.requests.devices = true;
-    asked_s_ = now_s;
+    requested_s_ = now_s;
     context_.answer(phrase("devices.looking"), now_s);
 }
 
 void ReportLists::open_devices(const std::vector<std::string>& sentences, double now_s) {
     std::vector<std::string> lines{phrase("devices.in_use", {{"hand", hand_words(context_.hands)}})};
     lines.insert(lines.end(), sentences.begin(), sentences.end());
-    asked_s_ = -1e9;
+    requested_s_ = -1e9;
     open(phrase("devices.title"), lines, now_s);
 }
 

@@ -16,13 +16,13 @@ public:
 
     // Requests the list of connected devices. Finding the devices takes a moment, so the owner of the session does it
     // and then calls open_devices().
-    void ask_for_devices(double now_s);
+    void request_devices(double now_s);
     // Opens the list of connected devices. `sentences` has one sentence for each device. The list begins with the hand
     // in use.
     void open_devices(const std::vector<std::string>& sentences, double now_s);
     // Returns true if nobody is waiting for the list of devices: the list has been announced, or the owner has not
     // answered in time.
-    bool idle(double now_s) const { return now_s - asked_s_ > kAnswered_s; }
+    bool idle(double now_s) const { return now_s - requested_s_ > kAnswered_s; }
 
     void know_crash(std::vector<std::string> lines) { crash_ = std::move(lines); }
     bool has_crash() const { return !crash_.empty(); }
@@ -39,7 +39,7 @@ private:
     static constexpr double kAnswered_s = 3.0;
 
     std::vector<std::string> crash_, faults_;
-    double asked_s_ = -1e9;  // time when the person requested the devices; reset once they have been announced
+    double requested_s_ = -1e9;  // time when the person requested the devices; reset once they have been announced
 };
 
 }  // namespace handrail::core

@@ -10,7 +10,7 @@ namespace {
 
 // Changes the setting. Returns the new value in words, or why the value was refused.
 std::string change_setting(const SessionContext& context, std::string_view key, const std::string& value) {
-    const auto set = context.asks.set(key, value, context.tick_s);
+    const auto set = context.session_requests.set(key, value, context.tick_s);
     return set ? settings::setting_line(key, context.settings).value : set.error().message;
 }
 
@@ -37,7 +37,7 @@ void open_settings(const SessionContext& context, std::string_view topic, double
             context.lists.dialogue.change_items(std::move(items));
             context.answer(value, context.tick_s);
         };
-        context.ask_text(std::move(question), context.tick_s);
+        context.request_text(std::move(question), context.tick_s);
     };
     context.open_list(std::move(list), now_s);
 }

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/dialogue/words.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"

@@ -39,7 +39,7 @@ void WorldLists::open(double now_s) {
         TextSpec question;
         question.question = phrase("menu.which_file");
         question.done = [this](const std::string& path) { open_folder(path, context_.tick_s); };
-        context_.ask_text(std::move(question), context_.tick_s);
+        context_.request_text(std::move(question), context_.tick_s);
     };
     context_.open_list(std::move(list), now_s);
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/world/body_heights.h"
 #include "app/core/world/questions.h"
 #include "worlds/base/contract.h"
@@ -24,7 +24,7 @@ constexpr double kBounced_hand_m = 0.015;
 constexpr double kNearThing_m = 0.1;
 // If a door shuts within this distance of the walker, the person may be about to pass it, so its announcement is a
 // warning.
-constexpr double kBesideOne_m = 3.0;
+constexpr double kNextToOne_m = 3.0;
 // When a walker on the threshold of a lift moves inwards: length of each step, and of all steps together.
 constexpr double kInwards_m = 0.05, kMostInwards_m = 0.6;
 constexpr double kCeiling = -0.7;  // a surface is overhead if the z component of its normal is smaller than this
@@ -38,7 +38,7 @@ bool overlap(const Aabb& a, const Aabb& b) {
            a.min_m.z < b.max_m.z && b.min_m.z < a.max_m.z;
 }
 
-Aabb body_box(const Vec3& feet_m, const WalkerShape& body) {
+Aabb walker_box(const Vec3& feet_m, const WalkerShape& body) {
     Aabb box;
     box.include(feet_m - Vec3(body.radius_m, body.radius_m, 0.0));
     box.include(feet_m + Vec3(body.radius_m, body.radius_m, body.height_m));
@@ -53,7 +53,7 @@ Aabb grown(Aabb box, double by_m) {
 
 // Returns how a walker stands on `thing`. If the walker does not stand on it, returns Riding::Not.
 Riding rides(const PlacedModel& thing, const Placement& at, const Vec3& feet_m, const WalkerShape& body) {
-    if (!overlap(grown(placed_bounds(thing.model->bounds_m, at), kNearThing_m), body_box(feet_m, body)))
+    if (!overlap(grown(placed_bounds(thing.model->bounds_m, at), kNearThing_m), walker_box(feet_m, body)))
         return Riding::Not;
     return riding(thing.model, at, feet_m, body);
 }
@@ -61,11 +61,11 @@ Riding rides(const PlacedModel& thing, const Placement& at, const Vec3& feet_m, 
 // Returns true if a door leaf may pass through the walker. A leaf that opens never blocks a walker. A leaf that shuts
 // is blocked only by a walker that stands where the leaf comes to rest. Any other walker in its path is treated as
 // stepping aside.
-bool passes_body(const Feature& feature, const PlacedModel& leaf, const std::optional<Placement>& comes_to_rest,
-                 const Vec3& feet_m, const WalkerShape& body) {
+bool passes_walker(const Feature& feature, const PlacedModel& leaf, const std::optional<Placement>& comes_to_rest,
+                   const Vec3& feet_m, const WalkerShape& body) {
     if (feature.kind != FeatureKind::Door) return false;
-    return !comes_to_rest || !overlap(placed_bounds(leaf.model->bounds_m, *comes_to_rest), body_box(feet_m, body)) ||
-           !meets_body(leaf.model, *comes_to_rest, feet_m, body);
+    return !comes_to_rest || !overlap(placed_bounds(leaf.model->bounds_m, *comes_to_rest), walker_box(feet_m, body)) ||
+           !meets_walker(leaf.model, *comes_to_rest, feet_m, body);
 }
 
 // Returns true for a hinged leaf that is opened by hand.
@@ -106,8 +106,8 @@ std::string stops_words(const Mover& mover, const std::string& storey, double z_
 
 }  // namespace
 
-Doors::Doors(const SessionContext& context, WorldState& world, WalkerState& body)
-    : SessionPart(context), world_(world), body_(body) {}
+Doors::Doors(const SessionContext& context, WorldState& world, WalkerState& avatar)
+    : SessionPart(context), world_(world), avatar_(avatar) {}
 
 bool Doors::act(Command command, double now_s) {
     if (command != Command::Use) return false;
@@ -117,7 +117,7 @@ bool Doors::act(Command command, double now_s) {
 
 void Doors::press(std::uint32_t mover, bool back_again, double now_s) {
     contract_pre(mover < world_.movers.size());
-    context_.events.tell(DoorUsed{world_.scene->movers[mover].feature}, now_s);
+    context_.events.report(DoorUsed{world_.scene->movers[mover].feature}, now_s);
     if (blocked(mover)) return context_.answer(shut_words(mover), now_s);
     const bool lift_comes = world_.movers.lift_is_away(mover);
     if (back_again) world_.movers.set_going(mover);
@@ -150,14 +150,14 @@ void Doors::press(std::uint32_t mover, bool back_again, double now_s) {
 }
 
 // Returns the lift on which the walker stands, or -1.
-int Doors::lift_under_body() const {
+int Doors::lift_under_walker() const {
     for (std::uint32_t i = 0; i < world_.movers.size(); ++i) {
         const Mover& mover = world_.scene->movers[i];
         if (world_.thing_of_mover[i] < 0 || !mover.by_hand ||
             world_.scene->features[mover.feature.value].kind != FeatureKind::Lift)
             continue;
         const auto thing = static_cast<std::size_t>(world_.thing_of_mover[i]);
-        if (rides(world_.scene->placed[thing], world_.things.at(thing), body_.feet_m(), body_.walker->shape()) ==
+        if (rides(world_.scene->placed[thing], world_.things.at(thing), avatar_.feet_m(), avatar_.walker->shape()) ==
             Riding::ByMiddle)
             return static_cast<int>(i);
     }
@@ -167,7 +167,7 @@ int Doors::lift_under_body() const {
 bool Doors::ride_to(double floor_m, const std::string& storey, double now_s) {
     constexpr double kSameFloor_m = 0.3;
     contract_pre(std::isfinite(floor_m));
-    const int lift = lift_under_body();
+    const int lift = lift_under_walker();
     if (lift < 0) return false;
     const auto mover = static_cast<std::uint32_t>(lift);
     const Mover& is = world_.scene->movers[mover];
@@ -178,7 +178,7 @@ bool Doors::ride_to(double floor_m, const std::string& storey, double now_s) {
     const std::vector<double>& stops = is.halts.empty() ? ends : is.halts;
     const auto stop = std::find_if(stops.begin(), stops.end(), [&](double part) { return there(is.at(part)); });
     if (stop == stops.end() || (there(world_.movers.at(mover)) && there(world_.movers.at_goal(mover)))) return false;
-    context_.events.tell(DoorUsed{is.feature}, now_s);
+    context_.events.report(DoorUsed{is.feature}, now_s);
     if (blocked(mover)) {
         context_.answer(shut_words(mover), now_s);
         return true;
@@ -192,16 +192,16 @@ bool Doors::ride_to(double floor_m, const std::string& storey, double now_s) {
 }
 
 // Returns the nearest open leaf that the walker touches, among doors that are shut by hand, or -1.
-int Doors::leaf_at_body() const {
+int Doors::leaf_at_walker() const {
     constexpr double kTouches_m = 0.06;
     int nearest = -1;
-    double nearest_m = body_.walker->size().radius_m + kTouches_m;
+    double nearest_m = avatar_.walker->size().radius_m + kTouches_m;
     for (std::uint32_t i = 0; i < world_.movers.size(); ++i) {
         if (world_.thing_of_mover[i] < 0 || !usable(world_, i) || shut(world_, i) ||
             !swings_by_hand(*world_.scene, world_.scene->movers[i]))
             continue;
         const Aabb& own = world_.scene->placed[static_cast<std::size_t>(world_.thing_of_mover[i])].model->bounds_m;
-        const Vec3 body = PlacedFrame(world_.movers.at(i)).to_own(body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m));
+        const Vec3 body = PlacedFrame(world_.movers.at(i)).to_own(avatar_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m));
         const Vec3 inside = glm::clamp(body, own.min_m, own.max_m);
         if (const double far_m = glm::length(body - inside); far_m < nearest_m) {
             nearest_m = far_m;
@@ -222,24 +222,24 @@ void Doors::use(double now_s) {
     int chosen = -1;
     if (context_.hands.answers() && context_.hands.tool.touches())
         chosen = mover_of(world_, context_.hands.tool.touched());
-    if (chosen < 0) chosen = lift_under_body();
-    if (chosen < 0 && !told_.empty()) {
-        const FeatureId told = told_.back();
-        const Aabb door = box_of(*world_.scene, told);
+    if (chosen < 0) chosen = lift_under_walker();
+    if (chosen < 0 && !announced_.empty()) {
+        const FeatureId announced = announced_.back();
+        const Aabb door = box_of(*world_.scene, announced);
         const double hand_reach_m = kBounced_hand_m * scale(context_);
-        if (distance_squared(door, body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m)) < kArmsReach_m * kArmsReach_m ||
+        if (distance_squared(door, avatar_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m)) < kArmsReach_m * kArmsReach_m ||
             (context_.hands.answers() &&
              distance_squared(door, context_.hands.tool.proxy_m) < hand_reach_m * hand_reach_m))
-            chosen = mover_of(world_, told);
+            chosen = mover_of(world_, announced);
         if (chosen >= 0 && world_.movers.away(static_cast<std::uint32_t>(chosen)) > 0.0) chosen = -1;
     }
     if (chosen < 0)
-        if (const auto seen = look(*world_.solids, body_.feet_m(), kLookHeight_m, body_.heading_rad, kArmsReach_m))
+        if (const auto seen = look(*world_.solids, avatar_.feet_m(), kLookHeight_m, avatar_.heading_rad, kArmsReach_m))
             chosen = mover_of(world_, seen->feature);
-    if (chosen < 0) chosen = leaf_at_body();
+    if (chosen < 0) chosen = leaf_at_walker();
     if (chosen < 0) {
         double nearest_m = kArmsReach_m;
-        const Vec3 middle = body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m);
+        const Vec3 middle = avatar_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m);
         for (std::size_t i = 0; i < world_.scene->movers.size(); ++i) {
             if (!usable(world_, i)) continue;
             const double distance_m =
@@ -259,7 +259,7 @@ void Doors::use(double now_s) {
 bool Doors::block(FeatureId feature, bool blocked) {
     const int mover = mover_of(world_, feature);
     if (mover < 0) return false;
-    std::erase(told_, feature);
+    std::erase(announced_, feature);
     world_.movers.hold_shut(static_cast<std::uint32_t>(mover), blocked);
     return true;
 }
@@ -273,7 +273,7 @@ std::string Doors::shut_words(std::uint32_t mover) const {
                       {{"name", sentence_case(spoken_name(world_.scene->features[door.feature.value]))}});
     if (door.by_hand) return phrase("lead.door_shut", {{"door", name}, {"key", context_.keys.keys_of(Command::Use)}});
     if (!door.approach_m.empty()) return phrase("movers.opens_by_itself", {{"name", name}});
-    const std::optional<FeatureId> button = button_of(world_, mover, body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m));
+    const std::optional<FeatureId> button = button_of(world_, mover, avatar_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m));
     if (!button) return phrase("movers.opened_from_elsewhere", {{"name", name}});
     return phrase("movers.opened_by_button", {{"name", name},
                                               {"button", sentence_case(name_of(context_, *button))},
@@ -288,13 +288,13 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
     const PlacedModel& own = world_.scene->placed[thing(mover)];
     const bool door = world_.scene->features[own.feature.value].kind == FeatureKind::Door;
     const bool goes_shut = door ? world_.movers.goes_shut(mover) : world_.movers.goes_to_rest(mover);
-    const WalkerShape body = body_.walker->shape();
+    const WalkerShape body = avatar_.walker->shape();
     const Aabb there = placed_bounds(own.model->bounds_m, to);
 
-    const Riding ride = body_.walker->state().on_ground ? rides(own, from, body_.feet_m(), body) : Riding::Not;
-    const Vec3 way = carried(body_.feet_m(), from, to) - body_.feet_m();
+    const Riding ride = avatar_.walker->state().on_ground ? rides(own, from, avatar_.feet_m(), body) : Riding::Not;
+    const Vec3 way = carried(avatar_.feet_m(), from, to) - avatar_.feet_m();
     const bool goes_along = ride == Riding::ByMiddle || (ride == Riding::ByRim && way.z > 0.0);
-    Vec3 feet = body_.feet_m();
+    Vec3 feet = avatar_.feet_m();
     if (goes_along) {
         const auto index = static_cast<std::int32_t>(thing(mover));
         if (way.z < 0.0) {
@@ -316,12 +316,12 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
             }
         if (meets()) return Meeting::Body;
         feet = hit.end_m;
-    } else if (!passes_body(world_.scene->features[own.feature.value], own,
-                            goes_shut ? std::optional(world_.movers.at_goal(mover)) : std::nullopt, feet, body) &&
-               overlap(there, body_box(feet, body)) && meets_body(own.model, to, feet, body)) {
+    } else if (!passes_walker(world_.scene->features[own.feature.value], own,
+                              goes_shut ? std::optional(world_.movers.at_goal(mover)) : std::nullopt, feet, body) &&
+               overlap(there, walker_box(feet, body)) && meets_walker(own.model, to, feet, body)) {
         // A thing that already overlaps the walker may move away from the walker. A thing that shuts may never move
         // against a walker.
-        if (goes_shut || !meets_body(own.model, from, feet, body)) return Meeting::Body;
+        if (goes_shut || !meets_walker(own.model, from, feet, body)) return Meeting::Body;
     }
 
     for (std::uint32_t other = 0; other < world_.movers.size(); ++other) {
@@ -334,15 +334,15 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
     }
 
     if (goes_along) {
-        WalkerMotion stood = body_.walker->state();
+        WalkerMotion stood = avatar_.walker->state();
         stood.feet_m = feet;
-        body_.walker->resume(stood);
+        avatar_.walker->resume(stood);
         if (!(from.rotation == to.rotation)) {
             const Vec3 ahead =
-                PlacedFrame(to).turned(PlacedFrame(from).turned_back(forward_of_heading(body_.heading_rad)));
-            const double turned = wrap_angle(std::atan2(ahead.x, ahead.y) - body_.heading_rad);
-            body_.heading_rad = wrap_angle(body_.heading_rad + turned);
-            body_.heading_goal_rad = wrap_angle(body_.heading_goal_rad + turned);
+                PlacedFrame(to).turned(PlacedFrame(from).turned_back(forward_of_heading(avatar_.heading_rad)));
+            const double turned = wrap_angle(std::atan2(ahead.x, ahead.y) - avatar_.heading_rad);
+            avatar_.heading_rad = wrap_angle(avatar_.heading_rad + turned);
+            avatar_.heading_goal_rad = wrap_angle(avatar_.heading_goal_rad + turned);
         }
     }
     return Meeting::None;
@@ -351,13 +351,13 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
 void Doors::tick(double now_s, double dt_s) {
     contract_pre(std::isfinite(now_s) && dt_s >= 0.0);
     if (world_.movers.size() == 0) return;
-    const Aabb stand = body_box(body_.feet_m(), body_.walker->shape());
+    const Aabb stand = walker_box(avatar_.feet_m(), avatar_.walker->shape());
     for (std::uint32_t i = 0; i < world_.movers.size(); ++i) {
         if (world_.scene->movers[i].approach_m.empty() || world_.thing_of_mover[i] < 0) continue;
         const auto thing = static_cast<std::size_t>(world_.thing_of_mover[i]);
         if (overlap(world_.scene->movers[i].approach_m, stand)) world_.movers.come_near(i);
-        else if (rides(world_.scene->placed[thing], world_.things.at(thing), body_.feet_m(), body_.walker->shape()) ==
-                 Riding::Not)
+        else if (rides(world_.scene->placed[thing], world_.things.at(thing), avatar_.feet_m(),
+                       avatar_.walker->shape()) == Riding::Not)
             world_.movers.leave_alone(i);
     }
     if (!world_.movers.any_moving() && !world_.movers.any_waiting() && !world_.movers.any_endless()) return;
@@ -369,10 +369,10 @@ void Doors::tick(double now_s, double dt_s) {
     for (std::uint32_t i = 0; i < world_.movers.size(); ++i)
         if (world_.thing_of_mover[i] >= 0)
             world_.things.put(static_cast<std::size_t>(world_.thing_of_mover[i]), world_.movers.at(i));
-    tell(events, now_s);
+    announce(events, now_s);
 }
 
-void Doors::tell(std::span<const MoverEvent> events, double now_s) {
+void Doors::announce(std::span<const MoverEvent> events, double now_s) {
     for (const MoverEvent& event : events) {
         const Mover& mover = world_.scene->movers[event.mover];
         const Feature& feature = world_.scene->features[mover.feature.value];
@@ -381,12 +381,12 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
             world_.scene->placed[static_cast<std::size_t>(world_.thing_of_mover[event.mover])].model->bounds_m,
             world_.movers.at(event.mover));
         if (mover.endless()) {
-            tell_endless(event, box, now_s);
+            announce_endless(event, box, now_s);
             continue;
         }
         if (event.kind == MoverEvent::Kind::Arrives) arrived_ = true;
         const Vec3 middle = feature.bounds_m.centre_m();
-        const double distance_m = glm::length(middle - body_.feet_m());
+        const double distance_m = glm::length(middle - avatar_.feet_m());
         // Only one leaf of a group is announced, and only if it is near. If a locked door waited for its button, it is
         // announced at any distance.
         const bool first = std::none_of(world_.scene->movers.begin(), world_.scene->movers.begin() + event.mover,
@@ -426,7 +426,7 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
                            : button ? "movers.is_out_again"
                                     : "movers.is_back",
                            {{"name", name}}),
-                    opens && distance_m < kBesideOne_m ? cues::SpeechClass::Warning : cues::SpeechClass::Ambient,
+                    opens && distance_m < kNextToOne_m ? cues::SpeechClass::Warning : cues::SpeechClass::Ambient,
                     now_s);
         } else if (event.kind == MoverEvent::Kind::TurnsBack) {
             const bool opens_again = opens && !at_shut;
@@ -444,7 +444,7 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
 
 // Announces a train or a turning part, which passes again and again. It makes a sound each time, but it is announced
 // only if the walker stands on it or in its path.
-void Doors::tell_endless(const MoverEvent& event, const Aabb& box_m, double now_s) {
+void Doors::announce_endless(const MoverEvent& event, const Aabb& box_m, double now_s) {
     const Feature& feature = world_.scene->features[world_.scene->movers[event.mover].feature.value];
     const std::string name = sentence_case(spoken_name(feature));
     if (event.kind == MoverEvent::Kind::Waits)
@@ -454,33 +454,33 @@ void Doors::tell_endless(const MoverEvent& event, const Aabb& box_m, double now_
                  box_m.centre_m(), now_s);
     sound.material = world_.scene->material(feature.material).sound;
     context_.cues.cue(std::move(sound));
-    if (world_.scene->movers[event.mover].feature == body_.ground)
+    if (world_.scene->movers[event.mover].feature == avatar_.ground)
         context_.say(phrase(event.kind == MoverEvent::Kind::Leaves ? "movers.moves" : "movers.stops", {{"name", name}}),
                      cues::SpeechClass::Contact, now_s);
 }
 
-void Doors::tell_shut(FeatureId feature, double now_s) {
+void Doors::announce_shut(FeatureId feature, double now_s) {
     const int mover = mover_of(world_, feature);
     if (mover < 0 || world_.scene->features[feature.value].kind != FeatureKind::Door) return;
-    const auto before = std::find(told_.begin(), told_.end(), feature);
+    const auto before = std::find(announced_.begin(), announced_.end(), feature);
     if (!shut(world_, static_cast<std::uint32_t>(mover))) {
-        if (before != told_.end()) told_.erase(before);
+        if (before != announced_.end()) announced_.erase(before);
         return;
     }
-    if (before != told_.end() || feature == shut_by_person_) return;
-    told_.push_back(feature);
+    if (before != announced_.end() || feature == shut_by_person_) return;
+    announced_.push_back(feature);
     context_.say(shut_words(static_cast<std::uint32_t>(mover)), cues::SpeechClass::Answer, now_s);
 }
 
-void Doors::tell_touched(double now_s) {
+void Doors::announce_touched(double now_s) {
     for (std::uint8_t i = 0; i < context_.hands.tool.contacts.count; ++i)
-        tell_shut(context_.hands.tool.contacts.contacts[i].feature, now_s);
+        announce_shut(context_.hands.tool.contacts.contacts[i].feature, now_s);
 }
 
-void Doors::tell_ahead(const Vec3& ahead_m, double now_s) {
+void Doors::announce_ahead(const Vec3& ahead_m, double now_s) {
     const Vec3 up(0.0, 0.0, kWaist_m);
-    for (const Crossing& crossing : world_.solids->crossings(body_.feet_m() + up, ahead_m + up))
-        tell_shut(crossing.feature, now_s);
+    for (const Crossing& crossing : world_.solids->crossings(avatar_.feet_m() + up, ahead_m + up))
+        announce_shut(crossing.feature, now_s);
 }
 
 }  // namespace handrail::core

@@ -16,7 +16,7 @@ namespace handrail::core {
 class Doors : SessionPart {
 public:
     // Moves the things of `world`. Moves the walker in `body` if the walker stands on one of them.
-    Doors(const SessionContext& context, WorldState& world, WalkerState& body);
+    Doors(const SessionContext& context, WorldState& world, WalkerState& avatar);
 
     // Carries out the command Use. Returns false for other commands.
     bool act(Command command, double now_s);
@@ -38,29 +38,29 @@ public:
 
     // Announces once that a door on the route is shut, and what opens it. If the door has been open in between,
     // announces it again. A door that the person has just shut is not announced.
-    void tell_shut(FeatureId feature, double now_s);
+    void announce_shut(FeatureId feature, double now_s);
     // Announces shut doors that the hand touches.
-    void tell_touched(double now_s);
+    void announce_touched(double now_s);
     // Announces shut doors on the straight line from the walker to `ahead_m`, at floor level.
-    void tell_ahead(const Vec3& ahead_m, double now_s);
+    void announce_ahead(const Vec3& ahead_m, double now_s);
     // Forgets which shut doors were announced, so that they are announced again. Call it when there is another route.
-    void forget_told() {
-        told_.clear();
+    void forget_announced() {
+        announced_.clear();
         shut_by_person_ = kNoFeature;
     }
 
 private:
-    int lift_under_body() const;
-    int leaf_at_body() const;
+    int lift_under_walker() const;
+    int leaf_at_walker() const;
     void use(double now_s);
     std::string shut_words(std::uint32_t mover) const;
     Meeting meet(std::uint32_t mover, const Placement& from, const Placement& to);
-    void tell(std::span<const MoverEvent> events, double now_s);
-    void tell_endless(const MoverEvent& event, const Aabb& box_m, double now_s);
+    void announce(std::span<const MoverEvent> events, double now_s);
+    void announce_endless(const MoverEvent& event, const Aabb& box_m, double now_s);
 
     WorldState& world_;
-    WalkerState& body_;
-    std::vector<FeatureId> told_;            // shut doors on the route that have been announced
+    WalkerState& avatar_;
+    std::vector<FeatureId> announced_;       // shut doors on the route that have been announced
     FeatureId shut_by_person_ = kNoFeature;  // the door that the person shut last, until it is opened
     bool arrived_ = false;
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
@@ -11,14 +11,14 @@ namespace handrail::core {
 
 void Triggers::enter_world() {
     inside_.clear();
-    told_.clear();
+    announced_.clear();
 }
 
 void Triggers::tick(double now_s) {
     std::vector<FeatureId> now = context_.world.solids->volumes_at(
-        context_.body.feet_m(), context_.body.walker->size().height_m, SolidRole::Trigger);
+        context_.avatar.feet_m(), context_.avatar.walker->size().height_m, SolidRole::Trigger);
     for (const FeatureId liquid : context_.world.solids->volumes_at(
-             context_.body.feet_m(), context_.body.walker->size().height_m, SolidRole::Liquid))
+             context_.avatar.feet_m(), context_.avatar.walker->size().height_m, SolidRole::Liquid))
         now.push_back(liquid);
     for (const FeatureId id : now) {
         const Feature* feature = context_.world.scene->find(id);
@@ -30,11 +30,12 @@ void Triggers::tick(double now_s) {
             splash.sound = cues::SoundKind::Splash;
             splash.material = SoundClass::Water;
             splash.time_s = now_s;
-            splash.position_m = context_.body.feet_m();
+            splash.position_m = context_.avatar.feet_m();
             context_.cues.cue(std::move(splash));
             context_.say(sentence_case(name_of(context_, id)), cues::SpeechClass::Contact, now_s);
-        } else if (!feature->message.empty() && std::find(told_.begin(), told_.end(), id) == told_.end()) {
-            told_.push_back(id);
+        } else if (!feature->message.empty() &&
+                   std::find(announced_.begin(), announced_.end(), id) == announced_.end()) {
+            announced_.push_back(id);
             context_.say(spoken_message(*feature), cues::SpeechClass::Answer, now_s);
         }
     }

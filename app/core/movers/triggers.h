@@ -24,9 +24,9 @@ private:
     void meet_switch(FeatureId volume, double now_s);
 
     WorldState& world_;
-    std::vector<FeatureId> inside_;  // volumes that contain the walker
-    std::vector<FeatureId> told_;    // volumes whose text has been announced; each text is announced only once
-    std::vector<FeatureId> used_;    // volumes that act only once and have acted
+    std::vector<FeatureId> inside_;     // volumes that contain the walker
+    std::vector<FeatureId> announced_;  // volumes whose text has been announced; each text is announced only once
+    std::vector<FeatureId> used_;       // volumes that act only once and have acted
 };
 
 }  // namespace handrail::core

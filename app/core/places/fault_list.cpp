@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/dialogue/words.h"
 #include "app/core/kept/kept_unit.h"
 #include "app/core/kept/landmarks.h"
@@ -61,7 +61,7 @@ void FaultList::take_again() {
     world_.movers.follow(world_.scene->movers);
 }
 
-void FaultList::tell_unreadable(double now_s) const {
+void FaultList::announce_unreadable(double now_s) const {
     if (!unreadable_.empty())
         context_.say(unreadable_words("landmarks.unreadable", unreadable_), cues::SpeechClass::Answer, now_s);
 }
@@ -77,17 +77,17 @@ void FaultList::open(double now_s) {
     BackgroundTask<std::shared_ptr<const Found>>::Work work =
         [file = rooms_.file_scene(), navigation = known ? rooms_.navigation_kept() : nullptr,
          graph = known ? rooms_.graph() : navigation::RoomGraph(), landmarks = std::move(landmarks),
-         feet_m = context_.body.feet_m()](const std::stop_token&) {
+         feet_m = context_.avatar.feet_m()](const std::stop_token&) {
             auto found = std::make_shared<Found>();
             found->scene = with_landmarks_of(file, landmarks);
             found->faults = navigation ? check::find_faults(*found->scene, &navigation->space(), &graph)
                                        : check::find_faults(*found->scene, nullptr, nullptr);
             for (const check::WorldFault& fault : found->faults) {
                 found->doorways.push_back(check::doorway_cut_free(*found->scene, fault));
-                const bool no_way = fault.kind == check::FaultKind::RoomOutOfReach && fault.room < graph.rooms.size();
+                const bool no_route = fault.kind == check::FaultKind::RoomOutOfReach && fault.room < graph.rooms.size();
                 found->doors.push_back(
-                    no_way ? check::missing_doors(*found->scene, navigation->space(), graph, fault.room, feet_m)
-                           : std::vector<check::MissingDoor>{});
+                    no_route ? check::missing_doors(*found->scene, navigation->space(), graph, fault.room, feet_m)
+                             : std::vector<check::MissingDoor>{});
             }
             return std::shared_ptr<const Found>(std::move(found));
         };
@@ -141,7 +141,7 @@ void FaultList::show_one(const std::shared_ptr<const Found>& found, std::size_t 
     if (fault.kind == check::FaultKind::UnnamedRoom || fault.kind == check::FaultKind::OddName)
         if (fault.room < graph.rooms.size())
             add(phrase("faults.name"), [this, room = fault.room](double then_s) {
-                rooms_.ask_name(
+                rooms_.request_name(
                     room, [this](double named_s) { open(named_s); }, then_s);
             });
     for (const FeatureId id : fault.candidates)
@@ -182,7 +182,7 @@ void FaultList::show_made_door(const MadeDoor& door, double now_s) {
 void FaultList::make_door(const MadeDoor& door, double now_s) {
     keep_made_door(context_.additions, door);
     // If the door is not saved, reading the world again would have no effect.
-    if (!context_.asks.save_additions(now_s)) return;
+    if (!context_.session_requests.save_additions(now_s)) return;
     context_.requests.read_again = true;
     context_.answer(phrase("faults.door_made", {{"between", one_line(door.name)}}), now_s);
 }
@@ -190,14 +190,14 @@ void FaultList::make_door(const MadeDoor& door, double now_s) {
 // Another unit changes every position, so the owner must begin a new session in this world.
 void FaultList::take_unit(double metres, double now_s) {
     keep_unit(context_.additions, metres);
-    if (!context_.asks.save_additions(now_s)) return;
+    if (!context_.session_requests.save_additions(now_s)) return;
     context_.requests.read_again = context_.requests.begin_anew = true;
     context_.answer(phrase("faults.unit_taken"), now_s);
 }
 
 void FaultList::take_door_away(const MadeDoor& door, double now_s) {
     drop_made_door(context_.additions, door.place_m);
-    if (!context_.asks.save_additions(now_s)) return;
+    if (!context_.session_requests.save_additions(now_s)) return;
     context_.requests.read_again = true;
     context_.answer(phrase("faults.door_gone", {{"between", one_line(door.name)}}), now_s);
 }

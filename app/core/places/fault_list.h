@@ -24,7 +24,7 @@ public:
     // Adds the landmarks that the person has marked to the scene.
     void enter_world();
     // Announces the stored landmarks that could not be read.
-    void tell_unreadable(double now_s) const;
+    void announce_unreadable(double now_s) const;
     // Reads the landmarks again. Call it when another session has changed the landmarks in the side file.
     void take_again();
     // Opens the list now, or later when the faults have been found. If that is impossible, announces why.

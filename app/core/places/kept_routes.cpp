@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
-#include "app/core/context/telling.h"
-#include "app/core/wayfinding/way_words.h"
+#include "app/core/context/context_words.h"
+#include "app/core/wayfinding/whole_route_words.h"
 #include "app/core/world/surroundings.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
@@ -30,8 +30,8 @@ KeptRoutes::KeptRoutes(const SessionContext& context, Rooms& rooms, const Planne
     : SessionPart(context), rooms_(rooms), planned_(planned) {}
 
 bool KeptRoutes::act(Command command, double now_s) {
-    if (command == Command::Ways) open_all(now_s);
-    else if (command == Command::KeepWay) open_keep(now_s);
+    if (command == Command::KeptRoutes) open_all(now_s);
+    else if (command == Command::KeepRoute) open_keep(now_s);
     else return false;
     return true;
 }
@@ -39,13 +39,13 @@ bool KeptRoutes::act(Command command, double now_s) {
 void KeptRoutes::enter_world(double now_s) {
     begins_m_.reset();
     std::vector<Error> faults;
-    ways_ = read_ways(context_.additions, faults);
+    ways_ = read_saved_routes(context_.additions, faults);
     if (!faults.empty()) context_.say(unreadable_words("ways.unreadable", faults), cues::SpeechClass::Answer, now_s);
 }
 
 void KeptRoutes::take_again() {
     std::vector<Error> faults;  // errors to announce when the world has been entered
-    ways_ = read_ways(context_.additions, faults);
+    ways_ = read_saved_routes(context_.additions, faults);
 }
 
 FoundRoute KeptRoutes::look_at(const SavedRoute& way) const {
@@ -56,7 +56,7 @@ std::string KeptRoutes::fault_words_of(const FoundRoute& found) const {
     return fault_words(found, [this](double way_m) { return distance_words(way_m, distances(context_)); });
 }
 
-void KeptRoutes::tell_unfit(double now_s) {
+void KeptRoutes::announce_unfit(double now_s) {
     std::vector<std::string> unfit;
     for (const SavedRoute& way : ways_)
         if (way.world != context_.additions.world_checksum())
@@ -67,12 +67,12 @@ void KeptRoutes::tell_unfit(double now_s) {
 }
 
 bool KeptRoutes::save(double now_s) {
-    write_ways(context_.additions, ways_);
-    return context_.asks.save_additions(now_s);
+    write_saved_routes(context_.additions, ways_);
+    return context_.session_requests.save_additions(now_s);
 }
 
 void KeptRoutes::save_and_answer(const std::string& words, double now_s) {
-    write_ways(context_.additions, ways_);
+    write_saved_routes(context_.additions, ways_);
     context_.keep_and_answer(words, now_s);
 }
 
@@ -90,11 +90,11 @@ void KeptRoutes::follow_room_name(const std::string& before, const std::string& 
                 stop.room = name;
                 changed = true;
             }
-    if (changed) write_ways(context_.additions, ways_);
+    if (changed) write_saved_routes(context_.additions, ways_);
 }
 
 // Returns the routes that the person could save: the planned route and the walked routes.
-std::vector<KeptRoutes::Offer> KeptRoutes::untold_offers() const {
+std::vector<KeptRoutes::Offer> KeptRoutes::unannounced_offers() const {
     std::vector<Offer> offers;
     if (planned_.stops().size() > 1)
         offers.push_back({phrase("ways.planned"), names_of(planned_.stops()), planned_.stops()});
@@ -112,7 +112,7 @@ std::vector<KeptRoutes::Offer> KeptRoutes::untold_offers() const {
         stops.push_back(stop_at_place(rooms_, corners.back(), phrase("ways.end")));
         offers.push_back({std::move(name), distance_words(way_m, distances(context_)), std::move(stops)});
     };
-    const std::vector<Vec3>& crumbs = context_.body.crumbs_m;
+    const std::vector<Vec3>& crumbs = context_.avatar.crumbs_m;
     if (begins_m_) offer(phrase("ways.walked_since_begun"), trail_since(crumbs, *begins_m_, kTrailNear_m));
     offer(phrase("ways.walked"), crumbs);
     for (const Mark& mark : context_.world.marks)
@@ -121,7 +121,7 @@ std::vector<KeptRoutes::Offer> KeptRoutes::untold_offers() const {
 }
 
 std::vector<KeptRoutes::Offer> KeptRoutes::offers() const {
-    std::vector<Offer> all = untold_offers();
+    std::vector<Offer> all = unannounced_offers();
     if (planned_.chosen().size() > planned_.stops().size()) std::swap(all[0], all[1]);
     for (auto way = ways_.rbegin(); way != ways_.rend(); ++way)
         all.push_back({way->name, names_of(way->stops), way->stops});
@@ -132,13 +132,13 @@ void KeptRoutes::open_keep(double now_s) {
     if (!rooms_.have(now_s)) return;
     ListSpec list;
     list.title = phrase("ways.keep_which");
-    const std::vector<Offer> offers = untold_offers();
+    const std::vector<Offer> offers = unannounced_offers();
     for (const Offer& offer : offers) list.items.push_back({offer.name, offer.value, false});
     list.items.push_back({phrase("ways.begin_here"), {}, false});
     list.chosen = [this, offers](std::size_t i) {
-        if (i < offers.size()) return ask_name(offers[i].stops, context_.tick_s);
-        begins_m_ = context_.body.feet_m();
-        context_.answer(phrase("ways.begun", {{"key", context_.keys.keys_of(Command::KeepWay)}}), context_.tick_s);
+        if (i < offers.size()) return request_name(offers[i].stops, context_.tick_s);
+        begins_m_ = context_.avatar.feet_m();
+        context_.answer(phrase("ways.begun", {{"key", context_.keys.keys_of(Command::KeepRoute)}}), context_.tick_s);
     };
     context_.open_list(std::move(list), now_s);
 }
@@ -149,7 +149,7 @@ bool KeptRoutes::name_taken(const std::string& name, std::size_t except) const {
     return false;
 }
 
-void KeptRoutes::ask_name(const std::vector<Stop>& stops, double now_s) {
+void KeptRoutes::request_name(const std::vector<Stop>& stops, double now_s) {
     const std::string plain = phrase("ways.name", {{"from", stops.front().name}, {"to", stops.back().name}});
     std::string name = good_name(plain).value_or(stops.back().name);
     for (std::size_t number = 2; name_taken(name, ways_.size()) && number <= ways_.size() + 1; ++number)
@@ -164,7 +164,7 @@ void KeptRoutes::ask_name(const std::vector<Stop>& stops, double now_s) {
         save_and_answer_kept(*good, context_.tick_s);
     };
     question.left = [this] { context_.answer(phrase("ways.not_kept"), context_.tick_s); };
-    context_.ask_text(std::move(question), now_s);
+    context_.request_text(std::move(question), now_s);
 }
 
 // Returns the name if it is valid and no other route has it. Otherwise announces the reason for the refusal and returns
@@ -182,7 +182,7 @@ std::optional<std::string> KeptRoutes::free_name(const std::string& typed, std::
 
 void KeptRoutes::open_all(double now_s) {
     if (ways_.empty())
-        return context_.answer(phrase("ways.none", {{"key", context_.keys.keys_of(Command::KeepWay)}}), now_s);
+        return context_.answer(phrase("ways.none", {{"key", context_.keys.keys_of(Command::KeepRoute)}}), now_s);
     if (!rooms_.have(now_s)) return;
     ListSpec list;
     list.title = phrase("ways.title");
@@ -211,21 +211,21 @@ void KeptRoutes::open(std::size_t which, double now_s) {
         list.items.push_back({phrase(key), {}, false});
         acts.push_back(std::move(act));
     };
-    add_ways_to_go(list, acts, way.name, found.stops);
+    add_routes_to_go(list, acts, way.name, found.stops);
     add("ways.backwards", [this, which] { open_backwards(which, context_.tick_s); });
     add("ways.add_stop", [this, which] { open_add_stop(which, context_.tick_s); });
     if (!faults.empty()) add("ways.take_over", [this, which] { take_over(which, context_.tick_s); });
-    add("ways.rename", [this, which] { ask_new_name(which, context_.tick_s); });
+    add("ways.rename", [this, which] { request_new_name(which, context_.tick_s); });
     add("ways.delete", [this, which] { remove(which, context_.tick_s); });
     list.chosen = [acts](std::size_t i) { acts[i](); };
     context_.open_list(std::move(list), now_s);
 }
 
-void KeptRoutes::add_ways_to_go(ListSpec& list, std::vector<std::function<void()>>& acts, const std::string& name,
-                                const std::vector<Stop>& stops) {
+void KeptRoutes::add_routes_to_go(ListSpec& list, std::vector<std::function<void()>>& acts, const std::string& name,
+                                  const std::vector<Stop>& stops) {
     list.items.push_back({phrase("ways.hear"), {}, false});
     acts.emplace_back(
-        [this, name, stops] { context_.answer(whole_way_words(context_, rooms_, name, stops), context_.tick_s); });
+        [this, name, stops] { context_.answer(whole_route_words(context_, rooms_, name, stops), context_.tick_s); });
     list.items.push_back({phrase("ways.follow"), {}, false});
     acts.emplace_back([this, stops] { on_go(stops, false, context_.tick_s); });
     list.items.push_back({phrase("ways.lead"), {}, false});
@@ -238,7 +238,7 @@ void KeptRoutes::open_backwards(std::size_t which, double now_s) {
     ListSpec list;
     list.title = phrase("ways.backwards_title", {{"way", ways_[which].name}});
     std::vector<std::function<void()>> acts;
-    add_ways_to_go(list, acts, list.title, stops);
+    add_routes_to_go(list, acts, list.title, stops);
     list.chosen = [acts](std::size_t i) { acts[i](); };
     context_.open_list(std::move(list), now_s);
 }
@@ -252,14 +252,15 @@ void KeptRoutes::open_add_stop(std::size_t which, double now_s) {
     list.items.push_back({phrase("ways.here"), {}, false});
     const navigation::RoomGraph& graph = rooms_.graph();
     for (const navigation::Room& room : graph.rooms)
-        list.items.push_back({sentence_case(room.name),
-                              distance_words(glm::length(room.middle_m - context_.body.feet_m()), distances(context_)),
-                              false});
+        list.items.push_back(
+            {sentence_case(room.name),
+             distance_words(glm::length(room.middle_m - context_.avatar.feet_m()), distances(context_)), false});
     const std::vector<Goal> things = goals(context_);
     for (const Goal& goal : things) list.items.push_back({goal.name, where_words(context_, goal.box_m), false});
     list.chosen = [this, which, things, rooms = graph.rooms.size()](std::size_t i) {
         if (i == 0)
-            return add_stop(which, stop_at_place(rooms_, context_.body.feet_m(), phrase("ways.end")), context_.tick_s);
+            return add_stop(which, stop_at_place(rooms_, context_.avatar.feet_m(), phrase("ways.end")),
+                            context_.tick_s);
         if (i <= rooms)
             return add_stop(which, stop_in_room(rooms_, static_cast<std::uint32_t>(i - 1)), context_.tick_s);
         add_stop(which, stop_at_goal(context_, rooms_, things[i - rooms - 1], ways_[which].stops.back().place_m),
@@ -288,8 +289,8 @@ void KeptRoutes::take_over(std::size_t which, double now_s) {
     FoundRoute found = look_at(way);
     for (const StopFault& fault : found.faults) {
         Stop& stop = found.stops[fault.stop];
-        if (fault.kind == StopFault::Kind::ThingGone) stop.thing.clear();
-        if (fault.kind == StopFault::Kind::RoomGone) stop.room.clear();
+        if (fault.kind == StopFault::Kind::ThingMissing) stop.thing.clear();
+        if (fault.kind == StopFault::Kind::RoomMissing) stop.room.clear();
         if (fault.kind == StopFault::Kind::ThingMoved)
             stop.thing_m = glm::length(nearest_place(goal_of(context_, stop).box_m, stop.place_m) - stop.place_m);
     }
@@ -299,7 +300,7 @@ void KeptRoutes::take_over(std::size_t which, double now_s) {
     save_and_answer_kept(name, now_s);  // the name was copied, because saving may replace `ways_`
 }
 
-void KeptRoutes::ask_new_name(std::size_t which, double now_s) {
+void KeptRoutes::request_new_name(std::size_t which, double now_s) {
     TextSpec question;
     question.question = phrase("ways.ask_name", {{"name", ways_[which].name}});
     question.text = ways_[which].name;
@@ -309,7 +310,7 @@ void KeptRoutes::ask_new_name(std::size_t which, double now_s) {
         ways_[which].name = *good;
         save_and_answer(*good, context_.tick_s);
     };
-    context_.ask_text(std::move(question), now_s);
+    context_.request_text(std::move(question), now_s);
 }
 
 void KeptRoutes::remove(std::size_t which, double now_s) {

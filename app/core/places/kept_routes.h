@@ -23,10 +23,10 @@ public:
     void enter_world(double now_s);
     // Reads the saved routes again. Call it when another session has changed them in the side file.
     void take_again();
-    // Carries out the commands Ways and KeepWay. Returns false for other commands.
+    // Carries out the commands KeptRoutes and KeepRoute. Returns false for other commands.
     bool act(Command command, double now_s);
     // Announces which routes no longer fit the world. Call it once the rooms are known.
-    void tell_unfit(double now_s);
+    void announce_unfit(double now_s);
     // Call it when a room was renamed. Stops in that room then refer to the new name. `before` is empty if the room had
     // no stored name. The caller saves the side file.
     void follow_room_name(const std::string& before, const std::string& name);
@@ -50,20 +50,20 @@ private:
     void save_and_answer(const std::string& words, double now_s);
     // Saves, and answers "Way Hall to Kitchen kept" if saving succeeded.
     void save_and_answer_kept(const std::string& name, double now_s);
-    std::vector<Offer> untold_offers() const;
+    std::vector<Offer> unannounced_offers() const;
     void open_keep(double now_s);
     bool name_taken(const std::string& name, std::size_t except) const;
-    void ask_name(const std::vector<Stop>& stops, double now_s);
+    void request_name(const std::vector<Stop>& stops, double now_s);
     std::optional<std::string> free_name(const std::string& typed, std::size_t except, double now_s) const;
     void open_all(double now_s);
     void open(std::size_t which, double now_s);
-    void add_ways_to_go(ListSpec& list, std::vector<std::function<void()>>& acts, const std::string& name,
-                        const std::vector<Stop>& stops);
+    void add_routes_to_go(ListSpec& list, std::vector<std::function<void()>>& acts, const std::string& name,
+                          const std::vector<Stop>& stops);
     void open_backwards(std::size_t which, double now_s);
     void open_add_stop(std::size_t which, double now_s);
     void add_stop(std::size_t which, Stop stop, double now_s);
     void take_over(std::size_t which, double now_s);
-    void ask_new_name(std::size_t which, double now_s);
+    void request_new_name(std::size_t which, double now_s);
     void remove(std::size_t which, double now_s);
 
     Rooms& rooms_;

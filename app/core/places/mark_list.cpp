@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "app/core/context/context_words.h"
 #include "app/core/context/soundscape.h"
-#include "app/core/context/telling.h"
 #include "app/core/world/body_heights.h"
 #include "app/core/world/surroundings.h"
 #include "worlds/base/contract.h"
@@ -15,7 +15,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kMarkNear_hand_m = 0.008, kMarkNear_body_m = 1.0;
+constexpr double kMarkNear_hand_m = 0.008, kMarkNear_walker_m = 1.0;
 // A landmark or clue within this distance of the walker is announced by a sound.
 constexpr double kLandmarkNear_m = 1.5;
 // A landmark is announced again if the walker has been farther away than the near distance times this factor.
@@ -43,7 +43,7 @@ void MarkList::read(std::vector<Error>& faults) {
     check_marks(*context_.world.scene, context_.additions, marks_);
 }
 
-void MarkList::tell_faults(double now_s) {
+void MarkList::announce_faults(double now_s) {
     if (!faults_.empty())
         context_.say(unreadable_words("marks.unreadable", std::exchange(faults_, {})), cues::SpeechClass::Answer,
                      now_s);
@@ -53,7 +53,7 @@ void MarkList::tell_faults(double now_s) {
 
 bool MarkList::save(double now_s) {
     write_marks(context_.additions, marks_);
-    return context_.asks.save_additions(now_s);
+    return context_.session_requests.save_additions(now_s);
 }
 
 void MarkList::save_and_answer(const std::string& words, double now_s) {
@@ -79,10 +79,10 @@ void MarkList::tick_button(double now_s) {
 }
 
 void MarkList::drop(bool by_button, double now_s) {
-    Vec3 place = context_.body.feet_m();
+    Vec3 place = context_.avatar.feet_m();
     if (context_.hands.answers()) {
         // While a simulated hand is still moving to the walker, the mark is set at the walker.
-        if (!servo::is_gone(context_.hands.tool.fault) &&
+        if (!servo::is_lost(context_.hands.tool.fault) &&
             context_.hands.tool.workspace_jump == context_.hands.pose.jump)
             place = context_.hands.tool.proxy_m;
         else if (!context_.hands.keys_alone) return context_.answer(phrase("guide.hand_unknown"), now_s);
@@ -100,7 +100,7 @@ void MarkList::drop(bool by_button, double now_s) {
     question.question = phrase("marks.set_and_ask", {{"name", name}});
     question.text = name;
     question.done = [this, name](const std::string& typed) { rename(name, typed, context_.tick_s); };
-    context_.ask_text(std::move(question), now_s);
+    context_.request_text(std::move(question), now_s);
 }
 
 void MarkList::rename(const std::string& name, const std::string& typed, double now_s) {
@@ -170,11 +170,11 @@ void MarkList::list_landmarks() {
 
 void MarkList::tick(double now_s) {
     contract_pre(context_.world.scene != nullptr && context_.world.solids != nullptr);
-    const bool tell = !std::exchange(first_look_, false);
-    const Vec3 waist = context_.body.feet_m() + Vec3(0.0, 0.0, kWaist_m);
+    const bool announces = !std::exchange(first_look_, false);
+    const Vec3 waist = context_.avatar.feet_m() + Vec3(0.0, 0.0, kWaist_m);
     // Returns the horizontal distance to the box if the box is on this storey and not behind a wall or door. Otherwise
     // returns 1e9.
-    const auto body_to_m = [&](const Aabb& box, double range_m) {
+    const auto walker_to_m = [&](const Aabb& box, double range_m) {
         const Vec3 place = nearest_place(box, waist);
         const Vec3 way = place - waist;
         const double level_m = std::hypot(way.x, way.y);
@@ -188,8 +188,8 @@ void MarkList::tick(double now_s) {
         const double more = near_[i] ? kFarther : 1.0;
         const double hand_m = hand ? glm::length(context_.hands.tool.proxy_m - place) / scale(context_) : 1e9;
         const bool near = hand_m <= more * kMarkNear_hand_m ||
-                          body_to_m(point_box(place), more * kMarkNear_body_m) <= more * kMarkNear_body_m;
-        if (near && !near_[i] && tell && !context_.hands.tuning.panic) {
+                          walker_to_m(point_box(place), more * kMarkNear_walker_m) <= more * kMarkNear_walker_m;
+        if (near && !near_[i] && announces && !context_.hands.tuning.panic) {
             context_.play_at(cues::SoundKind::Mark, place, now_s);
             context_.say(marks_[i].name, cues::SpeechClass::Contact, now_s);
         }
@@ -204,9 +204,9 @@ void MarkList::tick(double now_s) {
         const Feature& feature = context_.world.scene->features[id.value];
         const bool was = std::find(landmarks_near_.begin(), landmarks_near_.end(), id) != landmarks_near_.end();
         const double range_m = (was ? kFarther : 1.0) * kLandmarkNear_m;
-        if (body_to_m(feature.bounds_m, range_m) > range_m) continue;
+        if (walker_to_m(feature.bounds_m, range_m) > range_m) continue;
         near_now.push_back(id);
-        if (!was && tell && !context_.hands.tuning.panic)
+        if (!was && announces && !context_.hands.tuning.panic)
             context_.play_at(sound_of(feature), nearest_place(feature.bounds_m, waist), now_s);
     }
     landmarks_near_ = std::move(near_now);

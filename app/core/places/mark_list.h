@@ -18,9 +18,9 @@ public:
     // `marks` are the marks of the present world. The session state stores them, so that every feature can read them.
     MarkList(const SessionContext& context, std::vector<Mark>& marks) : SessionPart(context), marks_(marks) {}
 
-    // Reads the marks from the side file. tell_faults() later announces the errors.
+    // Reads the marks from the side file. announce_faults() later announces the errors.
     void enter_world();
-    void tell_faults(double now_s);
+    void announce_faults(double now_s);
     // Reads the marks again. Call it when another session has changed the marks in the side file.
     void take_again();
     // Carries out the commands DropMark, DeleteMark and Marks. Returns false for other commands.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/kept/room_names.h"
 #include "app/core/wayfinding/stops.h"
 #include "app/core/world/surroundings.h"
@@ -31,8 +31,8 @@ bool under_feet(const Aabb& box_m, const Vec3& feet_m) {
 }  // namespace
 
 void PrepareLesson::base_here() {
-    draft_.base_feet_m = context_.body.feet_m();
-    draft_.base_heading_rad = context_.body.heading_rad;
+    draft_.base_feet_m = context_.avatar.feet_m();
+    draft_.base_heading_rad = context_.avatar.heading_rad;
     draft_.base_room.clear();
     base_name_.clear();
     if (!rooms_.known() || rooms_.here() == navigation::kNothing) return;
@@ -125,17 +125,17 @@ void PrepareLesson::open_routes(double now_s) {
 
 // A landmark far from the whole route has no place in the order of the route. Two landmarks that the route passes at
 // the same spot have no order either.
-std::vector<std::string> PrepareLesson::on_route(const std::vector<LessonDraft::Place>& asked) const {
+std::vector<std::string> PrepareLesson::on_route(const std::vector<LessonDraft::Place>& requested) const {
     constexpr double kComesTo_m = 6.0, kSameStorey_m = 2.5, kAtOnce_m = 1.0;
     std::vector<Vec3> places;
     for (const LessonDraft::Place& stop : draft_.stops) places.push_back(stop.place_m);
     const navigation::Route route = plan_through(rooms_.navigation(), draft_.base_feet_m, places);
     std::vector<std::pair<double, std::string>> met;
-    for (const LessonDraft::Place& landmark : asked) {
+    for (const LessonDraft::Place& landmark : requested) {
         Vec3 foot = landmark.box_m.centre_m();
         foot.z = landmark.box_m.min_m.z;
         if (route.points_m.empty()) break;
-        const navigation::RoutePlace at = navigation::nearest_on_way(route.points_m, foot);
+        const navigation::RoutePlace at = navigation::nearest_on_path(route.points_m, foot);
         const Vec3 there = navigation::place_along(route.points_m, at.along_m),
                    near = nearest_place(landmark.box_m, there);
         if (std::hypot(near.x - there.x, near.y - there.y) < kComesTo_m && std::abs(near.z - there.z) < kSameStorey_m)
@@ -158,14 +158,14 @@ void PrepareLesson::save(double now_s) {
     }
     // Landmarks at the base are left out here, because the base may have been moved onto a landmark after that landmark
     // was chosen.
-    std::vector<LessonDraft::Place> asked;
+    std::vector<LessonDraft::Place> requested;
     for (const LessonDraft::Place& landmark : draft_.landmarks)
-        if (!under_feet(landmark.box_m, draft_.base_feet_m)) asked.push_back(landmark);
-    if (asked.empty())
+        if (!under_feet(landmark.box_m, draft_.base_feet_m)) requested.push_back(landmark);
+    if (requested.empty())
         return context_.answer(phrase("prepare.under_feet", {{"names", names_of(draft_.landmarks)}}), now_s);
-    draft_.asked.clear();
-    for (const LessonDraft::Place& landmark : asked) draft_.asked.push_back(landmark.name);
-    draft_.on_route = on_route(asked);
+    draft_.requested.clear();
+    for (const LessonDraft::Place& landmark : requested) draft_.requested.push_back(landmark.name);
+    draft_.on_route = on_route(requested);
     draft_.world_checksum = context_.additions.world_checksum();
     TextSpec title;
     title.question = phrase("prepare.ask_title");
@@ -175,7 +175,7 @@ void PrepareLesson::save(double now_s) {
         draft_.title = typed;
         context_.requests.lesson_draft = draft_;
     };
-    context_.ask_text(std::move(title), now_s);
+    context_.request_text(std::move(title), now_s);
 }
 
 }  // namespace handrail::core

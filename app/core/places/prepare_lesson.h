@@ -41,7 +41,7 @@ private:
     void open_routes(double now_s);
     void save(double now_s);
     // Returns the names of the landmarks in the order in which the route from the base reaches them.
-    std::vector<std::string> on_route(const std::vector<LessonDraft::Place>& asked) const;
+    std::vector<std::string> on_route(const std::vector<LessonDraft::Place>& requested) const;
     LessonDraft::Place place_of(const Stop& stop) const;
 
     const SessionContext& context_;

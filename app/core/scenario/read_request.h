@@ -15,7 +15,7 @@ namespace handrail::core {
 readers::ReadOptions read_options(const WorldRequest& request);
 
 // Functions that read a world and the files next to it. Each fails with a sentence. The program uses functions that
-// read in its confined process (imported_scene and toml_beside_worlds in app/main/world_files.h).
+// read in its confined process (imported_scene and toml_next_to_worlds in app/main/world_files.h).
 struct WorldReader {
     std::function<Result<Scene>(const WorldRequest&)> scene;
     settings::TomlReader toml = settings::toml_of;

@@ -320,8 +320,8 @@ private:
             e_.always = false;
         }
         flag("free", Check::Free);
-        flag("told_apart", Check::ToldApart);
-        words("not_told_apart", Check::NotToldApart);
+        flag("told_apart", Check::Distinct);
+        words("not_told_apart", Check::NotDistinct);
     }
 
     void read_when(const std::set<std::string>& names) {
@@ -443,10 +443,10 @@ Expectation read_expectation(const settings::TomlValue& table, const std::set<st
 }
 
 Error no_toml(const Error& error, const std::string& file) {
-    Error told = error;
-    told.file = file;
-    if (error.line > 0) told.message = phrase("scenario.not_toml", {{"reason", one_line(error.message)}});
-    return told;
+    Error reported = error;
+    reported.file = file;
+    if (error.line > 0) reported.message = phrase("scenario.not_toml", {{"reason", one_line(error.message)}});
+    return reported;
 }
 
 Result<Scenario> read_scenario(const fs::path& file, const std::vector<fs::path>& world_folders) {

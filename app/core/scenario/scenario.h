@@ -147,9 +147,9 @@ enum class Check {
     // strongest_line_hz = [low, high] with from_hz, to_hz, at_least_n: frequency of the strongest spectral line of the
     // force.
     StrongestLine,
-    ToldApart,  // told_apart = true: no two materials of the world feel the same
+    Distinct,  // told_apart = true: no two materials of the world feel the same
     // not_told_apart: the named pair of materials feels the same, and the report on materials names the pair.
-    NotToldApart,
+    NotDistinct,
     SoundRising,  // sound_rising = "wall tone": the loudness of the sound grows and never falls
 };
 

@@ -265,7 +265,7 @@ LoggedTick logged(HeadlessSession& session, std::size_t hand) {
     tick.force_n = tool.force_n;
     tick.hip_m = tool.hip_m;
     tick.proxy_m = tool.proxy_m;
-    tick.radius_m = tool.ball_radius_m;
+    tick.radius_m = tool.proxy_radius_m;
     tick.scale = session.app().hand().tuning.touch.world_m_per_hand_m;
     tick.contact = tool.touches();
     tick.touched = tool.touched();
@@ -282,7 +282,7 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
                                 RoomsKept* rooms_kept) {
     const std::string file = scenario.file.filename().string();
     settings::SettingsStore settings;
-    if (const auto faults = settings.load_file(settings::settings_beside(scenario.world.file),
+    if (const auto faults = settings.load_file(settings::settings_next_to(scenario.world.file),
                                                settings::SettingSource::World, read.toml);
         !faults.empty())
         return fail(faults.front().sentence(), file);
@@ -321,11 +321,12 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
         // stays in the old world.
         if (const auto wanted = session.app().requests().take_world()) {
             if (auto other = read.scene(*wanted)) {
-                settings.load_file(settings::settings_beside(wanted->file), settings::SettingSource::World, read.toml);
+                settings.load_file(settings::settings_next_to(wanted->file), settings::SettingSource::World, read.toml);
                 session.change_settings(settings.values());
                 session.app().apply(WorldEntered{make_ready(std::make_shared<const Scene>(std::move(*other)))},
                                     session.now_s());
-            } else session.app().apply(Told{other.error().sentence(), cues::SpeechClass::Answer}, session.now_s());
+            } else
+                session.app().apply(Announcement{other.error().sentence(), cues::SpeechClass::Answer}, session.now_s());
         }
         if (const auto stepped = player.step(); !stepped) return tl::unexpected(stepped.error());
         if (!player.done()) last_action_s = session.now_s();

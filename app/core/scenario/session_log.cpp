@@ -103,9 +103,9 @@ public:
                     phrase("log.slide_range", {{"least", e_.low}, {"most", e_.high}}));
             case Check::StrongestLine:
                 return strongest_line();
-            case Check::ToldApart:
-            case Check::NotToldApart:
-                return told_apart();
+            case Check::Distinct:
+            case Check::NotDistinct:
+                return distinct();
             case Check::BodyAt:
                 return place("log.body_range", "log.body_at", [](const LoggedTick& t) { return t.feet_m; });
             case Check::HipAt:
@@ -367,9 +367,9 @@ private:
                     phrase("log.line", {{"force", best_n}, {"hz", best_hz}}));
     }
 
-    std::string told_apart() const {
+    std::string distinct() const {
         const std::vector<std::string> problems = lint_materials(scene_).problems;
-        if (e_.check == Check::ToldApart)
+        if (e_.check == Check::Distinct)
             return problems.empty() ? std::string() : fail(phrase("log.told_apart"), problems.front());
         for (const std::string& problem : problems)
             if (words_in_order(e_.text, problem)) return {};

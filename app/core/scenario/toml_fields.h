@@ -33,7 +33,7 @@ public:
     TomlFields(const settings::TomlValue& table, std::string what) : table_(table), what_(std::move(what)) {}
     int line() const { return table_.line; }
     bool has(const char* key) {
-        asked_.insert(key);
+        queried_.insert(key);
         return table_.find(key) != nullptr;
     }
     double number(const char* key, double low, double high) {
@@ -82,9 +82,9 @@ public:
     }
     const settings::TomlValue& node(const char* key) { return need(key); }
     void done() const {
-        std::vector<std::string> known(asked_.begin(), asked_.end());
+        std::vector<std::string> known(queried_.begin(), queried_.end());
         for (const auto& [key, node] : *table_.table())
-            if (!asked_.contains(key))
+            if (!queried_.contains(key))
                 throw BadField{
                     node.line,
                     phrase("scenario.has_no", {{"what", what_}, {"key", key}, {"nearest", nearest_name(key, known)}})};
@@ -92,14 +92,14 @@ public:
 
 private:
     const settings::TomlValue& need(const char* key) {
-        asked_.insert(key);
+        queried_.insert(key);
         const settings::TomlValue* node = table_.find(key);
         if (!node) throw BadField{table_.line, phrase("scenario.needs", {{"what", what_}, {"key", key}})};
         return *node;
     }
     const settings::TomlValue& table_;  // the value must be a table
     std::string what_;
-    std::set<std::string> asked_;
+    std::set<std::string> queried_;
 };
 
 }  // namespace handrail::core

@@ -89,7 +89,8 @@ void CarriedLines::choose(const std::string& choice, double now_s) {
     }
     if (holds) return void(app_.apply(LineTyped{choice}, now_s));
     app_.apply(ListsLeft{}, now_s);
-    app_.apply(Told{phrase("terminal.not_found", {{"typed", choice}, {"word", asked_by_}}), cues::SpeechClass::Answer},
+    app_.apply(Announcement{phrase("terminal.not_found", {{"typed", choice}, {"word", requested_by_}}),
+                            cues::SpeechClass::Answer},
                now_s);
 }
 
@@ -113,8 +114,8 @@ void CarriedLines::carry_out(const std::string& line, double now_s) {
     if (!always && word != line && app_.apply(LineTyped{word}, now_s)) return;
     if (!parsed) {
         const std::string hint = app_.question_hint(line);
-        return void(app_.apply(Told{hint.empty() ? parsed.error().message : parsed.error().message + " " + hint,
-                                    cues::SpeechClass::Answer},
+        return void(app_.apply(Announcement{hint.empty() ? parsed.error().message : parsed.error().message + " " + hint,
+                                            cues::SpeechClass::Answer},
                                now_s));
     }
     if (parsed->leave) {
@@ -122,7 +123,7 @@ void CarriedLines::carry_out(const std::string& line, double now_s) {
     } else if (parsed->command) {
         repeat_command_ = *parsed->command;
         choice_ = parsed->choice;
-        asked_by_ = spoken_word(repeat_command_);
+        requested_by_ = spoken_word(repeat_command_);
         looked_elsewhere_ = false;
         const bool counts = counts_by_itself(repeat_command_);
         repeat_left_ = counts ? 0 : parsed->times - 1;

@@ -44,7 +44,7 @@ private:
     Session& app_;
     std::deque<std::string> lines_;
     Command repeat_command_ = Command::Forward;
-    std::string asked_by_;  // word with which the person would open the list that was searched first
+    std::string requested_by_;  // word with which the person would open the list that was searched first
     int repeat_left_ = 0;
     std::string choice_;             // item to choose in the list that the last command opens
     bool looked_elsewhere_ = false;  // true: the other list has also been searched

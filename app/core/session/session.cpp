@@ -41,7 +41,7 @@ Session::Session(const settings::Settings& settings, const HandFacts& hand, cons
 void Session::enter_world(EnteringWorld world, double now_s) {
     settled_.give_up();
     keep_learnt(now_s);
-    state_.body.walker.reset();
+    state_.avatar.walker.reset();
     // A background task destroys the data of the previous world, because that is slow.
     std::shared_ptr<RoomsOfWorld> rooms_left = where_.rooms.enter_world(std::move(world.file), std::move(world.ways));
     auto left = std::make_shared<
@@ -60,11 +60,11 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     hand_.touch_view.enter_world(std::move(world.sharp), now_s);
     state_.world.movers.enter(state_.world.scene->movers);
     state_.world.solids = std::move(world.body);
-    state_.body.walker = std::make_unique<Walker>(
-        *state_.world.solids, body_size(*state_.world.scene, state_.person.settings.walk.body_radius_m));
-    state_.body.walker->place(world.feet_m);
-    state_.world.home_feet_m = state_.body.walker->state().feet_m;
-    state_.world.home_heading_rad = state_.body.heading_rad = state_.body.heading_goal_rad =
+    state_.avatar.walker = std::make_unique<Walker>(
+        *state_.world.solids, walker_size(*state_.world.scene, state_.person.settings.walk.body_radius_m));
+    state_.avatar.walker->place(world.feet_m);
+    state_.world.home_feet_m = state_.avatar.walker->state().feet_m;
+    state_.world.home_heading_rad = state_.avatar.heading_rad = state_.avatar.heading_goal_rad =
         wrap_angle(world.heading_rad);
     bodies_.enter_world(std::move(world.moves_freely), now_s);
     soundscape_.enter(*state_.world.scene);
@@ -73,7 +73,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     learn_.hunt.enter_world();
     learn_.teaching.exercise.enter_world();
     places_.lesson.enter_world();
-    places_.why_no_way.enter_world();
+    places_.why_no_route.enter_world();
     learn_.teaching.blocked.clear();
     labyrinth_.enter_world(now_s);
     state_.lists.dialogue.close_all();  // The lists are closed, because they may refer to the old world.
@@ -83,14 +83,14 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     ++state_.world.entered;
 
     publish_pose(now_s, PoseChange::Placed);
-    if (!greeting_waits()) state_.context.tell(cues::SpeechTopic::Place, entering_text(), now_s, {.answers = true});
+    if (!greeting_waits()) state_.context.announce(cues::SpeechTopic::Place, entering_text(), now_s, {.answers = true});
     if (const Scene& entered = *state_.world.scene;
         !greeting_waits() && entered.stated && !entered.stated->rooms.empty())
         say(honest_sentence(entered, honest_report(entered)), cues::SpeechClass::Answer, now_s);
     if (state_.person.settings.speech.crowding_hint)
         if (std::string crowded = crowded_view(*state_.world.scene); !crowded.empty())
             say(std::move(crowded), cues::SpeechClass::Answer, now_s);
-    tell_additions(now_s);
+    announce_additions(now_s);
     if (std::string game = labyrinth_.opening_words(); !game.empty())
         say(std::move(game), cues::SpeechClass::Answer, now_s);
     learn_.hunt.begin_awaited(now_s);
@@ -124,7 +124,7 @@ std::string Session::entering_text() const {
                                                                            : "session.begin_with_keys") +
         " " + phrase("session.where_help_is");
     const std::size_t rest = kMostOnEntering - std::min(kMostOnEntering, count_words(first) + count_words(hints));
-    return first + " " + where_.asking.where_am_i(std::min(rest, Asking::kMostWords)) + " " + hints;
+    return first + " " + where_.queries.where_am_i(std::min(rest, Queries::kMostWords)) + " " + hints;
 }
 
 void Session::press(Command command, double now_s, int times) {
@@ -145,14 +145,14 @@ void Session::press(Command command, double now_s, int times) {
 // Says again the announcements that were cut off, with their present content. What is no longer true is not said.
 void Session::say_anew(cues::SpeechTopics topics, double now_s) {
     for (const cues::SpeechTopic topic : {cues::SpeechTopic::Praise, cues::SpeechTopic::Lesson})
-        if (topics.has(topic)) lesson_session_.tell_anew(topic, now_s);
+        if (topics.has(topic)) lesson_session_.announce_anew(topic, now_s);
     if (!state_.world.scene) return;
     if (topics.has(cues::SpeechTopic::Place) && !guide_.tell_arrival_anew(cues::SpeechTopic::Place, now_s) &&
-        !where_.rooms.tell_here_anew(now_s))
-        state_.context.tell(cues::SpeechTopic::Place, where_am_i(), now_s, {.anew = true, .answers = true});
+        !where_.rooms.announce_here_anew(now_s))
+        state_.context.announce(cues::SpeechTopic::Place, where_am_i(), now_s, {.anew = true, .answers = true});
     if (topics.has(cues::SpeechTopic::Arrival)) guide_.tell_arrival_anew(cues::SpeechTopic::Arrival, now_s);
     for (const cues::SpeechTopic topic : {cues::SpeechTopic::Summary, cues::SpeechTopic::Leg})
-        if (topics.has(topic)) guide_.tell_anew(topic, now_s);
+        if (topics.has(topic)) guide_.announce_anew(topic, now_s);
 }
 
 void Session::release(Command command) {
@@ -176,7 +176,8 @@ void Session::know_stops(std::uint32_t stops, double now_s) {
 bool Session::idle() const {
     if (!lesson_session_.idle() || state_.requests.set_up) return false;
     if (!menu_.reports().idle(state_.context.tick_s) || !places_.faults.idle()) return false;
-    if (questions_.too_early && state_.context.tick_s - questions_.too_early->asked_s < kAnswerFollows_s) return false;
+    if (questions_.too_early && state_.context.tick_s - questions_.too_early->requested_s < kAnswerFollows_s)
+        return false;
     return walk_.walking.idle() && bodies_.idle() && hand_.workspace.idle() && !walk_.keys_held.any();
 }
 
@@ -192,10 +193,10 @@ void Session::act(Command command, double now_s, int times) {
 // Answers the question that was asked before the rooms were known.
 void Session::answer_what_was_too_early(double now_s) {
     if (!questions_.too_early || where_.rooms.awaited()) return;
-    const Questions::TooEarly asked = *std::exchange(questions_.too_early, std::nullopt);
+    const Questions::TooEarly requested = *std::exchange(questions_.too_early, std::nullopt);
     if (state_.lists.dialogue.is_open()) return;
-    if (asked.command) act(*asked.command, now_s);
-    else answer_question(asked.line, now_s);
+    if (requested.command) act(*requested.command, now_s);
+    else answer_question(requested.line, now_s);
 }
 
 void Session::place(const Vec3& feet_m, double heading_rad, double now_s) {
@@ -203,8 +204,8 @@ void Session::place(const Vec3& feet_m, double heading_rad, double now_s) {
     contract_pre(is_finite(feet_m) && std::isfinite(heading_rad));
     walk_.walking.set_down(feet_m, heading_rad);
     publish_pose(now_s, PoseChange::Placed);
-    ++state_.body.times_put;
-    state_.events.tell(Teleported{feet_m, state_.body.heading_rad}, now_s);
+    ++state_.avatar.times_put;
+    state_.events.report(Teleported{feet_m, state_.avatar.heading_rad}, now_s);
 }
 
 // Moves the walker and the hand out of a solid that contains them.
@@ -245,7 +246,7 @@ void Session::take_settled() {
     auto left = in_vain ? std::move(*settled) : std::exchange(state_.world.scene, std::move(*settled));
     if (!in_vain) {
         state_.world.movers.follow(state_.world.scene->movers);
-        rebuild_solids(state_.world, state_.body);
+        rebuild_solids(state_.world, state_.avatar);
     }
     // Destroying a whole world takes tens of milliseconds, so a background task does it.
     settled_.begin([left = std::move(left)](const std::stop_token&) { return std::shared_ptr<const Scene>(); });
@@ -296,7 +297,7 @@ void Session::tick(double now_s, const servo::ToolState& tool, const servo::Tool
     if (!state_.world.scene) return;
     const double dt_s = std::clamp(now_s - state_.context.tick_s, 0.0, 0.1);
     state_.context.tick_s = now_s;
-    tell_changes(now_s);
+    report_changes(now_s);
     desk_visit_.tick(now_s);
     if (at_desk()) {
         // The world is paused: no thing moves, and the walker neither walks nor turns.
@@ -312,9 +313,9 @@ void Session::tick(double now_s, const servo::ToolState& tool, const servo::Tool
     if (state_.world.things.tick(now_s, dt_s) || mover_arrived || bodies_rest) {
         // Once all moving things are at rest, the scene gets their new positions.
         if (!anything_moves()) settle();
-        rebuild_solids(state_.world, state_.body);
+        rebuild_solids(state_.world, state_.avatar);
     } else if (anything_moves() || state_.world.movers.any_endless()) {
-        rebuild_solids(state_.world, state_.body);
+        rebuild_solids(state_.world, state_.avatar);
     }
     if (dt_s > 0.0) {
         hand_.workspace.move_hand_by_keys(dt_s);
@@ -325,38 +326,38 @@ void Session::tick(double now_s, const servo::ToolState& tool, const servo::Tool
     learn_.teaching.exercise.tick();
     if (hand_.workspace.pushed(now_s)) guide_.person_moved(now_s);
     hand_.workspace.push(guide_.carry(), now_s);
-    if (!guide_.leads_hand()) hand_.workspace.stay_with_body(now_s);
-    hand_.workspace.tell_motion(now_s);
+    if (!guide_.leads_hand()) hand_.workspace.stay_with_walker(now_s);
+    hand_.workspace.announce_motion(now_s);
     touch_events_.tick(now_s);
     movers_.triggers.tick(now_s);
     where_.rooms.tick(now_s);
     where_.far.tick();
     where_.climbs.tick(now_s);
-    where_.visits.tick(where_.asking.take_asked_about(), now_s);
+    where_.visits.tick(where_.queries.take_queried_thing(), now_s);
     answer_what_was_too_early(now_s);
     hand_.workspace.take_touch(where_.rooms.looked_for(), greeting_waits(), now_s);
     take_settled();
     guide_.follow(now_s);
-    walk_.walking.tell_walls(now_s);
+    walk_.walking.announce_walls(now_s);
     soundscape_.tick(*state_.world.solids, listener().ears_m, now_s, state_.cues.waiting);
     places_.marks.tick_button(now_s);
     guide_.lead(now_s);
     places_.marks.tick(now_s);
     places_.faults.tick(now_s);
-    places_.why_no_way.tick(now_s);
+    places_.why_no_route.tick(now_s);
     tick_additions(now_s);
     guide_.call(now_s);
     publish_pose(now_s, PoseChange::Walked);
-    hand_.forces.tell_break(now_s);
+    hand_.forces.announce_break(now_s);
 }
 
-void Session::tell_changes(double now_s) {
-    const auto tell = [&](bool& told, bool now, const auto& what) {
-        if (std::exchange(told, now) != now) state_.events.tell(what, now_s);
+void Session::report_changes(double now_s) {
+    const auto report = [&](bool& reported, bool now, const auto& what) {
+        if (std::exchange(reported, now) != now) state_.events.report(what, now_s);
     };
     const bool leads = guide_.leads(), open = state_.lists.dialogue.is_open();
-    tell(watched_.leads, leads, Leading{leads});
-    tell(watched_.list_open, open, ListShown{open});
+    report(watched_.leads, leads, Leading{leads});
+    report(watched_.list_open, open, ListShown{open});
 }
 
 void Session::set_left_hand(const HandFacts& hand, double now_s) {
@@ -373,7 +374,7 @@ HandOutput Session::hand(std::size_t which) const {
 }
 
 cues::Listener Session::listener() const {
-    return {state_.body.ears_m(), state_.body.heading_rad, soundscape_.reverberation_s()};
+    return {state_.avatar.ears_m(), state_.avatar.heading_rad, soundscape_.reverberation_s()};
 }
 
 ViewState Session::view(const servo::ToolState& tool, const std::string& last_spoken) const {
@@ -382,12 +383,12 @@ ViewState Session::view(const servo::ToolState& tool, const std::string& last_sp
     view.scene = state_.world.scene;
     view.moved = bodies_.moved();
     view.feet_m = feet_m();
-    view.eyes_m = view.feet_m + Vec3(0.0, 0.0, state_.body.walker->size().eye_height_m);
-    view.heading_rad = state_.body.heading_rad;
+    view.eyes_m = view.feet_m + Vec3(0.0, 0.0, state_.avatar.walker->size().eye_height_m);
+    view.heading_rad = state_.avatar.heading_rad;
     view.tilt_rad = walk_.walking.tilt_rad();
     view.show_hand = state_.hands.right.present;
     view.proxy_m = tool.proxy_m;
-    view.ball_radius_m = tool.ball_radius_m;
+    view.proxy_radius_m = tool.proxy_radius_m;
     view.touching = tool.touches() || tool.holds != render::kNoBody;
     view.plan_view = plan_view_;
     view.forces_on = state_.hands.tuning.forces_on && state_.hands.tuning.focused && !state_.hands.tuning.panic;

@@ -54,7 +54,7 @@ public:
         std::function<void(const SessionInput& input, double now_s)> comes;
         std::function<void()> not_taken;
     };
-    void tell_inputs(InputListener listener) { watched_.inputs.push_back(std::move(listener)); }
+    void add_input_listener(InputListener listener) { watched_.inputs.push_back(std::move(listener)); }
 
     // Add, remove or move a thing while the session continues. A hand that touches the thing feels neither a knock nor
     // a gap. On failure, each function returns a sentence and changes nothing. worlds/scene/models.h lists the reasons.
@@ -117,9 +117,9 @@ public:
     bool idle() const;
     // Returns true if the first minutes have not yet reached the step that greets the person in the world.
     bool greeting_waits() const { return lesson_session_.greeting_waits(); }
-    const Vec3& feet_m() const { return state_.body.walker->state().feet_m; }
-    bool standing() const { return state_.body.walker->state().on_ground; }
-    double heading_rad() const { return state_.body.heading_rad; }
+    const Vec3& feet_m() const { return state_.avatar.walker->state().feet_m; }
+    bool standing() const { return state_.avatar.walker->state().on_ground; }
+    double heading_rad() const { return state_.avatar.heading_rad; }
     // Returns the free width across the walking direction, at the height of the waist. The result is 0 if a side is
     // open.
     double passage_width_m() const { return walk_.walking.passage_width_m(); }
@@ -131,7 +131,7 @@ public:
     std::string question_hint(std::string_view line) const { return questions_.answers.hint(line); }
 
     // Returns the answer to "where am I", which is also announced when a world is entered.
-    std::string where_am_i() const { return where_.asking.where_am_i(); }
+    std::string where_am_i() const { return where_.queries.where_am_i(); }
 
 private:
     void wire();  // session_wiring.cpp defines this function
@@ -182,14 +182,14 @@ private:
     void change_world(Scene scene, double now_s);
     void settle();
     void take_settled();
-    void tell_changes(double now_s);
+    void report_changes(double now_s);
     bool anything_moves() const;  // returns true if things move that will come to rest without further input
     // The following functions are for additions by the person. session_additions.cpp defines them.
     void take_additions();
-    void tell_additions(double now_s);
+    void announce_additions(double now_s);
     bool save_additions(double now_s);
     void tick_additions(double now_s);
-    void ask_for_last_place(double now_s);
+    void offer_last_place(double now_s);
     void take_others_additions();
     std::string entering_text() const;
     // The following functions are for an instructor's lessons. session_teaching.cpp defines them.
@@ -207,8 +207,8 @@ private:
     WalkingFeatures walk_{state_};
     HandFeatures hand_{state_, walk_.keys_held};
     DeskVisit desk_visit_{state_.context};
-    LeaveRequested asked_to_leave_;
-    LessonSession lesson_session_{state_.context, asked_to_leave_};
+    LeaveRequested leave_requested_;
+    LessonSession lesson_session_{state_.context, leave_requested_};
     Menu menu_{state_.context};
     SimplifiedList simplified_list_{state_.context, where_.rooms};
     // Makes the scene in which all things are where they have come to rest.

@@ -22,12 +22,12 @@ void Session::take_additions() {
     places_.faults.enter_world();
 }
 
-void Session::tell_additions(double now_s) {
+void Session::announce_additions(double now_s) {
     for (const std::string& news : state_.additions.news()) say(news, cues::SpeechClass::Answer, now_s);
-    places_.marks.tell_faults(now_s);
-    places_.faults.tell_unreadable(now_s);
+    places_.marks.announce_faults(now_s);
+    places_.faults.announce_unreadable(now_s);
     places_.ways.enter_world(now_s);
-    learn_.place.tell_kept(now_s);
+    learn_.place.announce_kept(now_s);
 }
 
 bool Session::save_additions(double now_s) {

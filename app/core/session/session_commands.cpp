@@ -29,7 +29,7 @@ struct Session::Carriers {
     static bool forces(Session& s, Command c, double now_s, int) { return s.hand_.forces.act(c, now_s); }
     static bool place(Session& s, Command c, double now_s, int) { return s.learn_.place.act(c, now_s); }
     static bool hunt(Session& s, Command c, double now_s, int) { return s.learn_.hunt.act(c, now_s); }
-    static bool asking(Session& s, Command c, double now_s, int) { return s.where_.asking.act(c, now_s); }
+    static bool queries(Session& s, Command c, double now_s, int) { return s.where_.queries.act(c, now_s); }
     static bool far(Session& s, Command c, double now_s, int) { return s.where_.far.act(c, now_s); }
     static bool rooms(Session& s, Command c, double now_s, int) { return s.where_.rooms.act(c, now_s); }
     static bool climbs(Session& s, Command c, double now_s, int) { return s.where_.climbs.act(c, now_s); }
@@ -68,22 +68,22 @@ struct Session::Carriers {
         Row{Command::WorkspaceTurnRight, {bodies}, {workspace}},
         Row{Command::WorkspaceCentre, {}, {workspace}},
         Row{Command::Grab, {}, {workspace}},
-        Row{Command::WhereAmI, {}, {asking}},
-        Row{Command::Heading, {}, {asking}},
-        Row{Command::AroundMe, {}, {asking}},
-        Row{Command::AheadOfMe, {}, {asking}},
+        Row{Command::WhereAmI, {}, {queries}},
+        Row{Command::Heading, {}, {queries}},
+        Row{Command::AroundMe, {}, {queries}},
+        Row{Command::AheadOfMe, {}, {queries}},
         Row{Command::Lost, {}, {far}},
         Row{Command::Describe, {}, {far}},
         Row{Command::Overview, {labyrinth}, {far}},
         Row{Command::Storeys, {}, {guide}},
-        Row{Command::LookNext, {}, {asking}},
-        Row{Command::LookBefore, {}, {asking}},
-        Row{Command::ScaleBar, {}, {asking}},
+        Row{Command::LookNext, {}, {queries}},
+        Row{Command::LookBefore, {}, {queries}},
+        Row{Command::ScaleBar, {}, {queries}},
         Row{Command::Simplified, {}, {itself}},
         Row{Command::Understood, {}, {itself}},
         Row{Command::Faults, {}, {itself}},
-        Row{Command::Coordinates, {}, {asking}},
-        Row{Command::WhatIsThis, {}, {asking}},
+        Row{Command::Coordinates, {}, {queries}},
+        Row{Command::WhatIsThis, {}, {queries}},
         Row{Command::Repeat, {}, {itself}},
         Row{Command::HistoryBack, {}, {itself}},
         Row{Command::HistoryForward, {}, {itself}},
@@ -107,11 +107,11 @@ struct Session::Carriers {
         Row{Command::Routes, {}, {guide}},
         Row{Command::RepeatLeg, {}, {guide}},
         Row{Command::NextLeg, {}, {guide}},
-        Row{Command::RestOfWay, {}, {guide}},
-        Row{Command::FaceWay, {}, {guide}},
+        Row{Command::RestOfRoute, {}, {guide}},
+        Row{Command::FaceRoute, {}, {guide}},
         Row{Command::NameRoom, {}, {rooms}},
-        Row{Command::Ways, {}, {ways}},
-        Row{Command::KeepWay, {}, {ways}},
+        Row{Command::KeptRoutes, {}, {ways}},
+        Row{Command::KeepRoute, {}, {ways}},
         Row{Command::PlanView, {}, {itself}},
         Row{Command::Menu, {}, {menu}},
         Row{Command::Help, {}, {menu}},
@@ -208,7 +208,7 @@ bool Session::act_itself(Command command, double now_s) {
             bring_out(now_s);
             break;
         case Command::LastPlace:
-            ask_for_last_place(now_s);
+            offer_last_place(now_s);
             break;
         case Command::PlanView:
             plan_view_ = !plan_view_;
@@ -241,11 +241,11 @@ bool Session::act_itself(Command command, double now_s) {
             if (at_desk()) {
                 // A jump of the workspace ends the visit to the desk.
                 publish_pose(now_s, PoseChange::Moved);
-            } else if (asked_to_leave_.lately(now_s)) {
+            } else if (leave_requested_.lately(now_s)) {
                 state_.requests.leave = true;
                 answer(phrase("session.goodbye"), now_s);
             } else {
-                asked_to_leave_.at_s = now_s;
+                leave_requested_.at_s = now_s;
                 answer(phrase("session.leave_again"), now_s);
             }
             break;

@@ -28,7 +28,7 @@ bool is_command_line(std::string_view line) {
 bool Session::reply(const DialogueReply& reply, double now_s) {
     if (!reply.taken) return false;
     if (reply.denied) play(cues::SoundKind::Denied, now_s);
-    if (reply.answer) state_.events.tell(Answered{reply.answer->question, reply.answer->text}, now_s);
+    if (reply.answer) state_.events.report(Answered{reply.answer->question, reply.answer->text}, now_s);
     if (!reply.words.empty()) answer(reply.words, now_s);
     return true;
 }
@@ -74,7 +74,7 @@ bool Session::take_line(std::string_view line, double now_s) {
     if (const CommandInfo* row = find_command(line); row && in_list(row->command) == InList::Always) return false;
     quiet(now_s);
     const DialogueReply said = state_.lists.dialogue.line(line, now_s);
-    const auto asked = [&]() -> std::optional<Command> {
+    const auto requested = [&]() -> std::optional<Command> {
         // While a list is open, a word for leaving the program means Command::Leave, because the word may be meant for
         // the list.
         if (is_quit_word(bare)) return Command::Leave;
@@ -82,7 +82,7 @@ bool Session::take_line(std::string_view line, double now_s) {
         const auto sentence = typed_sentence(bare);
         return sentence && sentence->choice.empty() ? std::optional(sentence->command) : std::nullopt;
     };
-    if (const auto command = said.denied ? asked() : std::nullopt;
+    if (const auto command = said.denied ? requested() : std::nullopt;
         command && !state_.lists.dialogue.typing() && in_list(*command) != InList::Waits) {
         act(*command, now_s);
         return true;

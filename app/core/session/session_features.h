@@ -27,9 +27,9 @@
 #include "app/core/walking/walking.h"
 #include "app/core/wayfinding/answers.h"
 #include "app/core/wayfinding/guide.h"
-#include "app/core/whereabouts/asking.h"
 #include "app/core/whereabouts/climbs.h"
 #include "app/core/whereabouts/far_places.h"
+#include "app/core/whereabouts/queries.h"
 #include "app/core/whereabouts/rooms.h"
 #include "app/core/whereabouts/visits.h"
 
@@ -39,12 +39,12 @@ namespace handrail::core {
 struct Whereabouts {
     explicit Whereabouts(SessionState& state)
         : rooms(state.context),
-          asking(state.context, rooms),
-          far(state.context, state.body, rooms),
-          climbs(state.context, rooms, asking),
+          queries(state.context, rooms),
+          far(state.context, state.avatar, rooms),
+          climbs(state.context, rooms, queries),
           visits(state.context) {}
     Rooms rooms;
-    Asking asking;
+    Queries queries;
     FarPlaces far;
     Climbs climbs;
     Visits visits;
@@ -53,7 +53,7 @@ struct Whereabouts {
 // Features for things that move when the person uses them, walks against them or enters them.
 struct MoverFeatures {
     explicit MoverFeatures(SessionState& state)
-        : doors(state.context, state.world, state.body), triggers(state.context, state.world) {}
+        : doors(state.context, state.world, state.avatar), triggers(state.context, state.world) {}
     Doors doors;
     Triggers triggers;
 };
@@ -61,9 +61,9 @@ struct MoverFeatures {
 // Features that move the walker: by keys, by sticks, or along walls by ear.
 struct WalkingFeatures {
     explicit WalkingFeatures(SessionState& state)
-        : by_ear(state.context, state.body, keys_held),
-          footing(state.context, state.body),
-          walking(state.context, state.body, keys_held, by_ear, footing) {}
+        : by_ear(state.context, state.avatar, keys_held),
+          footing(state.context, state.avatar),
+          walking(state.context, state.avatar, keys_held, by_ear, footing) {}
     HeldKeys keys_held;
     ByEar by_ear;
     Footing footing;
@@ -73,12 +73,12 @@ struct WalkingFeatures {
 // The questions that the person asks.
 struct Questions {
     Questions(SessionState& state, Whereabouts& where, Guide& guide)
-        : answers(state.context, where.rooms, where.asking, guide) {}
+        : answers(state.context, where.rooms, where.queries, guide) {}
     Answers answers;
     struct TooEarly {
         std::optional<Command> command;
         std::string line;  // a typed question, if there is no command
-        double asked_s = 0.0;
+        double requested_s = 0.0;
     };
     // A question that the person asked while the session was still searching for the rooms. It is answered once the
     // rooms are known.
@@ -88,7 +88,7 @@ struct Questions {
 // Features that determine what the hand feels, where its workspace is, and whether there is force.
 struct HandFeatures {
     HandFeatures(SessionState& state, const HeldKeys& keys_held)
-        : touch_view(state.context, state.world, state.body, state.hands),
+        : touch_view(state.context, state.world, state.avatar, state.hands),
           workspace(state.context, state.hands, keys_held, touch_view),
           forces(state.context, state.hands) {}
     TouchView touch_view;
@@ -102,12 +102,12 @@ struct PlacesFeatures {
         : marks(state.context, state.world.marks),
           ways(state.context, rooms, planned),
           faults(state.context, state.world, rooms),
-          why_no_way(state.context, rooms),
+          why_no_route(state.context, rooms),
           lesson(state.context, rooms) {}
     MarkList marks;
     KeptRoutes ways;
     FaultList faults;
-    NoRouteReason why_no_way;
+    NoRouteReason why_no_route;
     PrepareLesson lesson;
 };
 

@@ -36,7 +36,7 @@ bool Session::apply(SessionInput input, double now_s) {
                        enter_world(std::move(in.world), now_s);
                    },
                    [&](const Placed& in) { place(in.feet_m, in.heading_rad, now_s); },
-                   [&](Told& in) { say(std::move(in.text), in.speech_class, now_s); },
+                   [&](Announcement& in) { say(std::move(in.text), in.speech_class, now_s); },
                    [&](const LinesOwed& in) { say_anew(in.topics, now_s); },
                    [&](const FirstMinutesBegun& in) {
                        lesson_session_.begin_first_minutes(in.who_speaks, in.owner_sets_up, now_s);

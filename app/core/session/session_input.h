@@ -118,7 +118,7 @@ struct Placed {
     double heading_rad = 0.0;
 };
 // A sentence to announce from outside the session, such as a problem while loading or news about a device.
-struct Told {
+struct Announcement {
     std::string text;
     cues::SpeechClass speech_class = cues::SpeechClass::Answer;
 };
@@ -168,10 +168,10 @@ struct WorldsKnown {
     WorldShelf shelf;
 };
 
-using SessionInput =
-    std::variant<CommandDown, CommandUp, KeyTapped, TextTyped, LineTyped, ListsLeft, ItemActed, Steered, FocusChanged,
-                 Stopped, HandMoved, SettingSet, SettingsChanged, HandChanged, LeftHandChanged, HandOffered,
-                 WorldEntered, Placed, Told, LinesOwed, FirstMinutesBegun, LessonLeft, SetUpOver, LastPlaceKnown,
-                 WentOnAt, CrashReportKnown, SettingsFaultsKnown, DevicesFound, WorldsKnown, TeacherActed>;
+using SessionInput = std::variant<CommandDown, CommandUp, KeyTapped, TextTyped, LineTyped, ListsLeft, ItemActed,
+                                  Steered, FocusChanged, Stopped, HandMoved, SettingSet, SettingsChanged, HandChanged,
+                                  LeftHandChanged, HandOffered, WorldEntered, Placed, Announcement, LinesOwed,
+                                  FirstMinutesBegun, LessonLeft, SetUpOver, LastPlaceKnown, WentOnAt, CrashReportKnown,
+                                  SettingsFaultsKnown, DevicesFound, WorldsKnown, TeacherActed>;
 
 }  // namespace handrail::core

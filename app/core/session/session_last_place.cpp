@@ -11,7 +11,7 @@ constexpr double kOutside_m = 10.0;  // a stored place that is farther outside t
 
 }  // namespace
 
-void Session::ask_for_last_place(double now_s) {
+void Session::offer_last_place(double now_s) {
     if (!given_.last_place) {
         play(cues::SoundKind::Denied, now_s);
         return answer(phrase("last_place.none"), now_s);
@@ -27,8 +27,8 @@ void Session::go_on_at(const LastPlace& last, double now_s) {
         return answer(phrase("last_place.gone"), now_s);
     walk_.by_ear.keep_place();
     place(last.feet_m, last.heading_rad, now_s);
-    if (state_.world.solids->blocked(feet_m(), state_.body.walker->shape())) {
-        const auto free = nearest_free_feet(*state_.world.solids, feet_m(), state_.body.walker->shape());
+    if (state_.world.solids->blocked(feet_m(), state_.avatar.walker->shape())) {
+        const auto free = nearest_free_feet(*state_.world.solids, feet_m(), state_.avatar.walker->shape());
         if (!free) {
             walk_.walking.go_home(now_s);
             return answer(phrase("last_place.gone"), now_s);

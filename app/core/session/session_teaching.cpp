@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/core/session/session.h"
-#include "app/core/world/wall_beside.h"
+#include "app/core/world/wall_at_side.h"
 #include "worlds/base/language.h"
 
 namespace handrail::core {
@@ -16,7 +16,7 @@ void Session::teach(const TeacherActed& act, double now_s) {
             lead_in_lesson(act, now_s);
             break;
         case Kind::Leave:
-            guide_.leave_way();
+            guide_.leave_route();
             break;
         case Kind::Block:
         case Kind::Open: {
@@ -29,7 +29,7 @@ void Session::teach(const TeacherActed& act, double now_s) {
         }
         case Kind::End:
             guide_.limit_help({});
-            guide_.leave_way();
+            guide_.leave_route();
             for (const FeatureId door : learn_.teaching.blocked) movers_.doors.block(door, false);
             learn_.teaching.blocked.clear();
             lay_blocked();
@@ -39,7 +39,7 @@ void Session::teach(const TeacherActed& act, double now_s) {
             learn_.teaching.exercise.take(act, now_s);
             break;
     }
-    tell_changes(now_s);
+    report_changes(now_s);
 }
 
 // If there is a hand, the lesson guides the hand. If there is none, the amount of guidance decides: from a half on, the
@@ -47,7 +47,7 @@ void Session::teach(const TeacherActed& act, double now_s) {
 void Session::lead_in_lesson(const TeacherActed& act, double now_s) {
     constexpr double kByWords = 0.5;
     guide_.limit_help(std::clamp(act.number, 0.0, 1.0));
-    guide_.leave_way();
+    guide_.leave_route();
     std::vector<Stop> stops;
     for (std::size_t i = 0; i < std::min(act.items.size(), act.places_m.size()); ++i)
         if (is_finite(act.places_m[i])) {
@@ -59,7 +59,7 @@ void Session::lead_in_lesson(const TeacherActed& act, double now_s) {
     const bool by_hand = guide_.may_lead_hand();
     if (by_hand || act.number >= kByWords) return guide_.go_along(stops, by_hand, now_s);
     guide_.call_from({stops.back().name, point_box(stops.back().place_m), kNoFeature});
-    state_.events.tell(Led{stops.back().name, LedBy::Beacon}, now_s);
+    state_.events.report(Led{stops.back().name, LedBy::Beacon}, now_s);
 }
 
 // Makes routes avoid the blocked doors. Does nothing until the rooms are known.
@@ -77,9 +77,9 @@ LessonView Session::lesson_view() {
     LessonView view;
     if (!state_.world.scene) return view;
     view.feet_m = feet_m();
-    view.times_put = state_.body.times_put;
-    view.heading_rad = state_.body.heading_rad;
-    view.wall_m = wall_beside_m(*state_.world.solids, view.feet_m);
+    view.times_put = state_.avatar.times_put;
+    view.heading_rad = state_.avatar.heading_rad;
+    view.wall_m = wall_at_side_m(*state_.world.solids, view.feet_m);
     view.trails = walk_.by_ear.wall_at_side().has_value();
     view.rooms_known = where_.rooms.known();
     if (!view.rooms_known || where_.rooms.here() == navigation::kNothing) return view;

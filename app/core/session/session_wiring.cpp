@@ -11,23 +11,23 @@
 namespace handrail::core {
 
 void Session::wire() {
-    state_.context.asks.save_additions = [this](double now_s) { return save_additions(now_s); };
-    state_.context.asks.place = [this](const Vec3& feet_m, double heading_rad, double now_s) {
+    state_.context.session_requests.save_additions = [this](double now_s) { return save_additions(now_s); };
+    state_.context.session_requests.place = [this](const Vec3& feet_m, double heading_rad, double now_s) {
         place(feet_m, heading_rad, now_s);
     };
-    state_.context.asks.move_base = [this](const Vec3& feet_m, double heading_rad) {
+    state_.context.session_requests.move_base = [this](const Vec3& feet_m, double heading_rad) {
         state_.world.home_feet_m = feet_m;
         state_.world.home_heading_rad = heading_rad;
     };
-    state_.context.asks.perform = [this](Command command, double now_s) {
+    state_.context.session_requests.perform = [this](Command command, double now_s) {
         press(command, now_s);
         release(command);
     };
-    state_.context.asks.set = [this](std::string_view key, const std::string& value, double now_s) {
+    state_.context.session_requests.set = [this](std::string_view key, const std::string& value, double now_s) {
         return set(key, value, now_s);
     };
     where_.rooms.on_known = [this](double now_s) {
-        places_.ways.tell_unfit(now_s);
+        places_.ways.announce_unfit(now_s);
         if (!learn_.teaching.blocked.empty()) lay_blocked();
     };
     where_.rooms.on_renamed = [this](const std::string& before, const std::string& name) {
@@ -65,10 +65,10 @@ void Session::wire() {
         answer(phrase("movers.elsewhere") + " " + where_am_i(), now_s);
     };
     learn_.place.on_go_to_room = [this](std::uint32_t room, double now_s) { guide_.go_to_room(room, now_s); };
-    state_.events.on_told = [this](const SessionEvent& event) { learn_.ways.see(event); };
+    state_.events.on_reported = [this](const SessionEvent& event) { learn_.ways.see(event); };
     guide_.on_face = [this](double heading_rad, double now_s) { walk_.walking.face(heading_rad, now_s); };
     where_.climbs.on_way = [this] { return guide_.climb_here(); };
-    guide_.on_no_way = [this](std::uint32_t room, double) { places_.why_no_way.look(room); };
+    guide_.on_no_route = [this](std::uint32_t room, double) { places_.why_no_route.look(room); };
     walk_.walking.line_up_m = [this](const Vec3& feet_m, double heading_rad) {
         return guide_.line_up_m(feet_m, heading_rad);
     };
@@ -79,8 +79,8 @@ void Session::wire() {
             doors.push_back({door.feature, door.place_m, door.feet_m});
         return doors;
     };
-    walk_.walking.push_ahead = [this](Vec3& wish_m_per_s, double now_s) {
-        return bodies_.push_ahead(wish_m_per_s, now_s);
+    walk_.walking.push_ahead = [this](Vec3& intended_m_per_s, double now_s) {
+        return bodies_.push_ahead(intended_m_per_s, now_s);
     };
     walk_.walking.on_walked = [this](const WalkResult& walked, double now_s) {
         learn_.place.note(walked.bump ? std::optional(walked.bump->normal) : std::nullopt, walk_.by_ear.wall_at_side(),
@@ -96,7 +96,7 @@ void Session::wire() {
         if (const int met = mover_of(state_.world, feature);
             met >= 0 && state_.world.scene->features[feature.value].kind == FeatureKind::Button)
             movers_.doors.press(static_cast<std::uint32_t>(met), false, now_s);
-        if (!lock_words(state_.context, feature).empty()) movers_.doors.tell_shut(feature, now_s);
+        if (!lock_words(state_.context, feature).empty()) movers_.doors.announce_shut(feature, now_s);
     };
     hand_.touch_view.openings = [this] {
         if (where_.rooms.awaited()) return KnownOpenings{{}, true};
@@ -104,7 +104,7 @@ void Session::wire() {
         // These are not available yet when a world has just been entered.
         return KnownOpenings{where_.rooms.found() ? open_portals(where_.rooms.graph()) : OpenPortals{}, false};
     };
-    hand_.workspace.in_room_of_body = [this](const Vec3& place_m) {
+    hand_.workspace.in_room_of_walker = [this](const Vec3& place_m) {
         if (!where_.rooms.found()) return false;
         const auto above_m = above_floor_m(*state_.world.solids, place_m);
         if (!above_m) return false;
@@ -114,7 +114,7 @@ void Session::wire() {
         const std::uint32_t hand = room(place_m - Vec3(0.0, 0.0, *above_m));
         return hand != navigation::kNothing && hand == room(feet_m());
     };
-    hand_.workspace.rests_untold = [this] { return guide_.take_carried(); };
+    hand_.workspace.rests_silently = [this] { return guide_.take_carried(); };
     state_.lists.before_open = [this] {
         walk_.keys_held.release_all();
         walk_.walking.halt();
@@ -129,7 +129,7 @@ void Session::wire() {
     desk_visit_.on_come = [this] {
         walk_.keys_held.release_all();
         walk_.walking.halt();
-        state_.body.heading_goal_rad = state_.body.heading_rad;
+        state_.avatar.heading_goal_rad = state_.avatar.heading_rad;
     };
     desk_visit_.on_back = [this](const std::optional<std::string>& scale, double now_s) {
         settings::Settings changed = state_.person.settings;

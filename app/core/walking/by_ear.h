@@ -19,7 +19,7 @@ namespace handrail::core {
 class ByEar : SessionPart {
 public:
     // Turns the walker in `body`, and stores there the trail of points for the way back.
-    ByEar(const SessionContext& context, WalkerState& body, const HeldKeys& keys);
+    ByEar(const SessionContext& context, WalkerState& avatar, const HeldKeys& keys);
 
     void enter_world();
     // Ends following a wall and going back. Call it after the walker was moved elsewhere in the same world.
@@ -51,22 +51,22 @@ public:
 
 private:
     bool start_trail(TrailSide side, double now_s);
-    void tell_start(double now_s);
-    void tell_trail(const TrailEvent& event, double now_s);
+    void announce_start(double now_s);
+    void announce_trail(const TrailEvent& event, double now_s);
     std::string going_words();
-    void tell_turn_and_climb(double now_s);
+    void announce_turn_and_climb(double now_s);
     bool waits_at_stairs(double heading_rad, double now_s);
     std::optional<Vec3> retrace(double now_s, double dt_s);
     void square_up(double now_s);
 
-    WalkerState& body_;
+    WalkerState& avatar_;
     const HeldKeys& keys_;
     Trail trail_;
     double trail_left_m_ = 0.0;    // remaining distance along the wall for tapped keys
     bool trail_to_event_ = false;  // true: the walker continues until the next event of the wall, such as a corner
     double retrace_left_m_ = 0.0;  // remaining distance back along the trail for tapped keys
     bool retracing_ = false;
-    double told_heading_rad_ = 0.0, told_z_m_ = 0.0;  // direction and height that were announced last
+    double announced_heading_rad_ = 0.0, announced_z_m_ = 0.0;  // direction and height that were announced last
     // Stairs at which following a wall stops (`held`). If the person repeats the command, the walker continues over
     // them (`climbs`) until the ground is level again.
     struct Stairs {
@@ -76,7 +76,7 @@ private:
         Vec3 from_m{0.0}, looked_m{1e9};
     };
     Stairs stairs_;
-    Leaping leaping_{context_, body_, where_am_i, doors_of_room};
+    Leaping leaping_{context_, avatar_, where_am_i, doors_of_room};
 };
 
 }  // namespace handrail::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/world/body_heights.h"
 #include "app/core/world/surroundings.h"
 #include "worlds/base/language.h"
@@ -12,10 +12,10 @@
 namespace handrail::core {
 namespace {
 
-constexpr std::size_t kMostTold = 16;
+constexpr std::size_t kMostAnnounced = 16;
 constexpr double kLookEvery_s = 0.25, kLookEvery_m = 0.15, kLookEvery_rad = 0.1;
 constexpr double kEdgeConfirm_s = 2.0;
-constexpr double kTellAgain_s = 30.0, kSamePlace_m = 1.5;
+constexpr double kAnnounceAgain_s = 30.0, kSamePlace_m = 1.5;
 constexpr double kDoorNear_m = 3.0;
 constexpr double kStill_s = 1.5;  // the beat before an edge stops this long after the last movement
 constexpr double kRiser_m = 0.08;
@@ -25,7 +25,7 @@ constexpr double kRamp = 0.03, kRampSure_m = 0.4;
 }  // namespace
 
 void Footing::enter_world() {
-    told_.clear();
+    announced_.clear();
     set_down();
 }
 
@@ -56,63 +56,64 @@ void Footing::notice(Command command, double now_s) {
 
 bool Footing::held_at_edge(const WalkerMotion& before, Paces& paces, double now_s) {
     if (!context_.settings.walk.stop_at_drops || !before.on_ground) return false;
-    const Vec3 moved = body_.feet_m() - before.feet_m;
+    const Vec3 moved = avatar_.feet_m() - before.feet_m;
     if (moved.x * moved.x + moved.y * moved.y < 1e-12) return false;
-    const GroundRules rules = ground_rules(*context_.world.scene, body_.walker->size());
-    const auto drop = over_drop(*context_.world.solids, body_.feet_m(), std::atan2(moved.x, moved.y), rules);
+    const GroundRules rules = ground_rules(*context_.world.scene, avatar_.walker->size());
+    const auto drop = over_drop(*context_.world.solids, avatar_.feet_m(), std::atan2(moved.x, moved.y), rules);
     if (!drop) {
         if (edge_.confirmed && now_s - edge_.at_s > kEdgeConfirm_s + 1.0) edge_.confirmed = false;
         return false;
     }
     if (edge_.confirmed) return false;
-    body_.walker->resume(before);
+    avatar_.walker->resume(before);
     if (std::exchange(edge_.held, true)) return true;
     edge_.at_s = now_s;
     context_.play(cues::SoundKind::Denied, now_s);
     std::string steps = paces.take(context_);
-    steps = steps.empty() || !tells_steps(context_) ? std::string() : steps + ". ";
+    steps = steps.empty() || !announces_steps(context_) ? std::string() : steps + ". ";
     context_.warn(steps + (drop->depth_m ? phrase("walking.edge", {{"metres", *drop->depth_m}})
                                          : phrase("walking.edge_very_deep")),
                   now_s);
     return true;
 }
 
-// Returns true and notes the place if nothing was announced there in the last kTellAgain_s.
-bool Footing::tell_place_once(const Vec3& place_m, bool drop, double now_s) {
-    std::erase_if(told_, [&](const Told& told) { return now_s - told.time_s > kTellAgain_s; });
-    for (Told& told : told_)
-        if (told.drop == drop && glm::length(told.place_m - place_m) < kSamePlace_m) {
+// Returns true and notes the place if nothing was announced there in the last kAnnounceAgain_s.
+bool Footing::announce_place_once(const Vec3& place_m, bool drop, double now_s) {
+    std::erase_if(announced_, [&](const Announced& announced) { return now_s - announced.time_s > kAnnounceAgain_s; });
+    for (Announced& announced : announced_)
+        if (announced.drop == drop && glm::length(announced.place_m - place_m) < kSamePlace_m) {
             // The time starts again, so that the announcement is not repeated while the person stays at this place.
-            told.time_s = now_s;
+            announced.time_s = now_s;
             return false;
         }
-    if (told_.size() == kMostTold) told_.erase(told_.begin());
-    told_.push_back({place_m, now_s, drop});
+    if (announced_.size() == kMostAnnounced) announced_.erase(announced_.begin());
+    announced_.push_back({place_m, now_s, drop});
     return true;
 }
 
 void Footing::tick(const Vec3& before_m, const WalkResult& walked, double now_s) {
-    const Vec3 feet = body_.feet_m();
-    if (walked.walked_m > 1e-6 || body_.heading_rad != looked_.heading_rad) looked_.moved_s = now_s;
+    const Vec3 feet = avatar_.feet_m();
+    if (walked.walked_m > 1e-6 || avatar_.heading_rad != looked_.heading_rad) looked_.moved_s = now_s;
     if (walked.landed) edge_.confirmed = false;
-    tell_underfoot(feet - before_m, walked, now_s);
-    const bool turned = std::abs(wrap_angle(body_.heading_rad - looked_.heading_rad)) > kLookEvery_rad;
+    announce_underfoot(feet - before_m, walked, now_s);
+    const bool turned = std::abs(wrap_angle(avatar_.heading_rad - looked_.heading_rad)) > kLookEvery_rad;
     const bool went = glm::length(feet - looked_.from_m) > kLookEvery_m;
     // During a turn, the walker faces some ground only for a moment. That ground is not announced as ahead.
-    const bool turning = body_.heading_rad != body_.heading_goal_rad;
+    const bool turning = avatar_.heading_rad != avatar_.heading_goal_rad;
     if (!turning && (turned || went) && now_s - looked_.at_s >= (turned ? 0.1 : kLookEvery_s * 0.5)) {
-        looked_.ahead = ground_ahead(*context_.world.solids, feet, body_.heading_rad,
-                                     ground_rules(*context_.world.scene, body_.walker->size()), kStairsCallout_m + 0.3);
+        looked_.ahead =
+            ground_ahead(*context_.world.solids, feet, avatar_.heading_rad,
+                         ground_rules(*context_.world.scene, avatar_.walker->size()), kStairsCallout_m + 0.3);
         looked_.from_m = feet;
-        looked_.heading_rad = body_.heading_rad;
+        looked_.heading_rad = avatar_.heading_rad;
         looked_.at_s = now_s;
-        tell_ahead(now_s);
+        announce_ahead(now_s);
     }
     beat_ahead(now_s);
 }
 
 // Announces risers, landings and ramps under the walker.
-void Footing::tell_underfoot(const Vec3& moved_m, const WalkResult& walked, double now_s) {
+void Footing::announce_underfoot(const Vec3& moved_m, const WalkResult& walked, double now_s) {
     if (std::abs(moved_m.z) >= kRiser_m && !walked.landed) {
         const int sign = moved_m.z > 0.0 ? 1 : -1;
         underfoot_.risers = underfoot_.risers * sign >= 0 ? underfoot_.risers + sign : sign;
@@ -128,25 +129,25 @@ void Footing::tell_underfoot(const Vec3& moved_m, const WalkResult& walked, doub
                 now_s);
     }
     if (walked.walked_m > 1e-6 && underfoot_.risers == 0) {
-        const double slope = ground_slope(*context_.world.solids, body_.feet_m(), std::atan2(moved_m.x, moved_m.y));
+        const double slope = ground_slope(*context_.world.solids, avatar_.feet_m(), std::atan2(moved_m.x, moved_m.y));
         underfoot_.step_pitch = std::exp2(2.0 * std::clamp(slope, -0.5, 0.5));
         const int sign = slope > kRamp ? 1 : slope < -kRamp ? -1 : 0;
         underfoot_.ramp_m =
             sign == 0 || underfoot_.ramp_m * sign < 0.0 ? 0.0 : underfoot_.ramp_m + sign * walked.walked_m;
-        if (std::abs(underfoot_.ramp_m) >= kRampSure_m && underfoot_.ramp_told != sign) {
-            underfoot_.ramp_told = sign;
+        if (std::abs(underfoot_.ramp_m) >= kRampSure_m && underfoot_.announced_ramp != sign) {
+            underfoot_.announced_ramp = sign;
             if (context_.settings.walk.callouts)
                 context_.say(phrase(sign > 0 ? "walking.ramp_up" : "walking.ramp_down"), cues::SpeechClass::Contact,
                              now_s);
         }
-        if (sign == 0) underfoot_.ramp_told = 0;
+        if (sign == 0) underfoot_.announced_ramp = 0;
     }
 }
 
-void Footing::tell_ahead(double now_s) {
+void Footing::announce_ahead(double now_s) {
     const GroundAhead& ahead = looked_.ahead;
     if (ahead.stairs && ahead.stairs->distance_m <= kStairsCallout_m && underfoot_.risers == 0 &&
-        tell_place_once(ahead.stairs->place_m, false, now_s)) {
+        announce_place_once(ahead.stairs->place_m, false, now_s)) {
         const bool up = ahead.stairs->up;
         context_.cues.cue(
             sound_at(up ? cues::SoundKind::StairsUp : cues::SoundKind::StairsDown, ahead.stairs->place_m, now_s));
@@ -160,7 +161,7 @@ void Footing::tell_ahead(double now_s) {
         }
     }
     if (ahead.drop && ahead.drop->distance_m <= kDropWarning_m && context_.settings.walk.callouts &&
-        tell_place_once(ahead.drop->place_m, true, now_s))
+        announce_place_once(ahead.drop->place_m, true, now_s))
         context_.warn(
             phrase("walking.drop", {{"distance", distance_words(ahead.drop->distance_m, distances(context_))}}), now_s);
 }
@@ -171,14 +172,14 @@ void Footing::beat_ahead(double now_s) {
     if (now_s - looked_.moved_s > kStill_s) return;
     if (looked_.ahead.drop) {
         const Vec3 place = looked_.ahead.drop->place_m;
-        const double distance = glm::dot(place - body_.feet_m(), forward_of_heading(body_.heading_rad));
+        const double distance = glm::dot(place - avatar_.feet_m(), forward_of_heading(avatar_.heading_rad));
         if (distance > -0.3 && distance <= kDropWarning_m && now_s - looked_.beat_s >= drop_beat_s(distance)) {
             looked_.beat_s = now_s;
             context_.cues.cue(sound_at(cues::SoundKind::DropNear, place, now_s));
         }
     }
     if (now_s - looked_.door_s < 0.25) return;
-    const auto seen = look(*context_.world.solids, body_.feet_m(), kWaist_m, body_.heading_rad, kDoorNear_m);
+    const auto seen = look(*context_.world.solids, avatar_.feet_m(), kWaist_m, avatar_.heading_rad, kDoorNear_m);
     if (!seen || !seen->feature || context_.world.scene->features[seen->feature.value].kind != FeatureKind::Door)
         return;
     if (now_s - looked_.door_s < 0.3 + 0.4 * seen->distance_m) return;

@@ -15,7 +15,7 @@ namespace handrail::core {
 class Footing : SessionPart {
 public:
     // Moves the walker in `body` back at edges.
-    Footing(const SessionContext& context, WalkerState& body) : SessionPart(context), body_(body) {}
+    Footing(const SessionContext& context, WalkerState& avatar) : SessionPart(context), avatar_(avatar) {}
 
     void enter_world();
     // Call it after the walker was moved elsewhere in the same world. Announcements from the last half minute are not
@@ -34,9 +34,9 @@ public:
     double step_pitch() const { return underfoot_.step_pitch; }
 
 private:
-    bool tell_place_once(const Vec3& place_m, bool drop, double now_s);
-    void tell_underfoot(const Vec3& moved_m, const WalkResult& walked, double now_s);
-    void tell_ahead(double now_s);
+    bool announce_place_once(const Vec3& place_m, bool drop, double now_s);
+    void announce_underfoot(const Vec3& moved_m, const WalkResult& walked, double now_s);
+    void announce_ahead(double now_s);
     void beat_ahead(double now_s);
 
     // The ground ahead, as last examined after the walker had moved or turned.
@@ -55,21 +55,21 @@ private:
     struct Underfoot {
         int risers = 0;  // number of risers since the stairs began, positive upwards
         double since_riser_m = 0.0;
-        double ramp_m = 0.0;  // distance walked on the ramp; level ground reduces it
-        int ramp_told = 0;    // announced ramp: 1 up, -1 down, 0 none
+        double ramp_m = 0.0;     // distance walked on the ramp; level ground reduces it
+        int announced_ramp = 0;  // announced ramp: 1 up, -1 down, 0 none
         double step_pitch = 1.0;
     };
-    struct Told {
+    struct Announced {
         Vec3 place_m{0.0};
         double time_s = 0.0;
         bool drop = false;
     };
 
-    WalkerState& body_;
+    WalkerState& avatar_;
     Looked looked_;
     Edge edge_;
     Underfoot underfoot_;
-    std::vector<Told> told_;  // stairs and edges announced in the last half minute
+    std::vector<Announced> announced_;  // stairs and edges announced in the last half minute
 };
 
 }  // namespace handrail::core

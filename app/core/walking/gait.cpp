@@ -16,20 +16,20 @@ constexpr int kMostLineUps = 2;
 
 }  // namespace
 
-void Gait::went_aside(double wished_m, double made_m) {
-    const double left_m = std::max(0.0, std::abs(aside_m_) - wished_m);
-    aside_m_ = made_m < kHeadOn * wished_m ? 0.0 : std::copysign(left_m, aside_m_);
+void Gait::went_aside(double intended_m, double made_m) {
+    const double left_m = std::max(0.0, std::abs(aside_m_) - intended_m);
+    aside_m_ = made_m < kHeadOn * intended_m ? 0.0 : std::copysign(left_m, aside_m_);
     if (left_m == 0.0) aside_m_ = 0.0;
 }
 
-Gait::Course Gait::went(double wished_m, double made_m, bool met,
+Gait::Course Gait::went(double intended_m, double made_m, bool met,
                         const std::function<std::optional<double>()>& line_up_m) {
-    wished_m_ += wished_m;
+    intended_m_ += intended_m;
     made_m_ += made_m;
-    const bool held = met && made_m < kHeadOn * wished_m;
-    if (!held && wished_m_ < navigation::kStoppedWindow_m) return met ? Course::Along : Course::On;
-    const bool slow = made_m_ < navigation::kStoppedBelow * wished_m_;
-    wished_m_ = made_m_ = 0.0;
+    const bool held = met && made_m < kHeadOn * intended_m;
+    if (!held && intended_m_ < navigation::kStoppedWindow_m) return met ? Course::Along : Course::On;
+    const bool slow = made_m_ < navigation::kStoppedBelow * intended_m_;
+    intended_m_ = made_m_ = 0.0;
     if (!held && !slow) return met ? Course::Along : Course::On;
     const std::optional<double> aside_m = lined_up_ < kMostLineUps && line_up_m ? line_up_m() : std::nullopt;
     if (!aside_m || std::abs(*aside_m) < kStraightIn_m) return Course::Stopped;

@@ -22,16 +22,16 @@ public:
     double aside_left_m() const { return aside_m_; }
     // Call it after each tick of a slide to the side, with the intended and the actual distance. If the actual distance
     // is shorter, an obstacle stopped the slide. The slide then ends, and the walk continues from there.
-    void went_aside(double wished_m, double made_m);
+    void went_aside(double intended_m, double made_m);
 
     enum class Course { On, Along, Aside, Stopped };
     // Call it after each tick of the walk itself, with the intended and the actual distance. `met` is true if the
     // walker touched something. `line_up_m` is called when the walker is stopped, and may be null.
     // BlindGround::line_up_m explains its result.
-    Course went(double wished_m, double made_m, bool met, const std::function<std::optional<double>()>& line_up_m);
+    Course went(double intended_m, double made_m, bool met, const std::function<std::optional<double>()>& line_up_m);
 
 private:
-    double wished_m_ = 0.0, made_m_ = 0.0;  // intended and actual distance since the last decision
+    double intended_m_ = 0.0, made_m_ = 0.0;  // intended and actual distance since the last decision
     double aside_m_ = 0.0;
     int lined_up_ = 0;
 };

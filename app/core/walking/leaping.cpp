@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/world/body_heights.h"
 #include "app/core/world/surroundings.h"
 #include "audio-cues/plan/cue_planner.h"
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMostUndo = 16, kMostPlaces = 64;
 // a mark is on this floor if it is at most this far above or below the waist
 constexpr double kMarkHeight_m = 1.5;
-constexpr double kTellHeight_m = 0.3;  // if a leap changes the height by more than this, that is announced
+constexpr double kAnnouncedHeight_m = 0.3;  // if a leap changes the height by more than this, that is announced
 
 }  // namespace
 
@@ -35,13 +35,14 @@ bool Leaping::act(Command command, double now_s) {
 
 void Leaping::keep_place() {
     if (undo_.size() == kMostUndo) undo_.erase(undo_.begin());
-    undo_.push_back({body_.feet_m(), body_.heading_goal_rad});
+    undo_.push_back({avatar_.feet_m(), avatar_.heading_goal_rad});
 }
 
 void Leaping::undo(double now_s) {
     // Remove places that are now inside a solid, so that the walker is never moved there.
-    std::erase_if(
-        undo_, [&](const Place& place) { return context_.world.solids->blocked(place.feet_m, body_.walker->shape()); });
+    std::erase_if(undo_, [&](const Place& place) {
+        return context_.world.solids->blocked(place.feet_m, avatar_.walker->shape());
+    });
     if (undo_.empty()) {
         context_.play(cues::SoundKind::Denied, now_s);
         return context_.answer(phrase("walking.nothing_to_undo"), now_s);
@@ -49,14 +50,14 @@ void Leaping::undo(double now_s) {
     const Place back = undo_.back();
     undo_.pop_back();
     begin_anew();
-    context_.asks.place(back.feet_m, back.heading_rad, now_s);
+    context_.session_requests.place(back.feet_m, back.heading_rad, now_s);
     context_.answer(phrase("walking.undone") + " " + where_am_i_(), now_s);
 }
 
 // Returns the targets, nearest first: doors of the room; doors, landmarks and clues in sight; and marks.
 std::vector<Leaping::Target> Leaping::targets() const {
     std::vector<Target> all;
-    const Vec3& feet_m = body_.feet_m();
+    const Vec3& feet_m = avatar_.feet_m();
     const auto level = [&](const Vec3& to_m) { return std::hypot(to_m.x - feet_m.x, to_m.y - feet_m.y); };
     const auto bearing = [&](const Vec3& to_m) { return std::atan2(to_m.x - feet_m.x, to_m.y - feet_m.y); };
     if (doors_)
@@ -92,11 +93,11 @@ std::vector<Leaping::Target> Leaping::targets() const {
 // itself if it is free.
 std::optional<Leaping::Place> Leaping::place_at(const Target& target) const {
     if (target.before) return target.before;
-    const WalkerShape shape = body_.walker->shape();
+    const WalkerShape shape = avatar_.walker->shape();
     const Vec3 way = forward_of_heading(target.bearing_rad);
     for (double before = target.mark ? 0.0 : shape.radius_m + 0.15; before < shape.radius_m + 1.0; before += 0.1) {
         if (before > target.distance_m) break;
-        const Vec3 feet = body_.feet_m() + way * (target.distance_m - before);
+        const Vec3 feet = avatar_.feet_m() + way * (target.distance_m - before);
         const TraceHit ground =
             context_.world.solids->trace(feet + Vec3(0.0, 0.0, 0.5), feet - Vec3(0.0, 0.0, 1.0), shape);
         if (ground.hit && ground.normal.z >= 0.7 && !context_.world.solids->blocked(ground.end_m, shape))
@@ -147,14 +148,14 @@ void Leaping::leap_back(double now_s) {
 void Leaping::leap_to(const Leapt& to, double now_s) {
     const Leapt there = to;                    // a copy, because `to` may be an element of leapt_
     const std::vector<Leapt> series = leapt_;  // a copy, because placing the walker elsewhere clears `leapt_`
-    const double was_m = body_.feet_m().z;
-    context_.asks.place(there.place.feet_m, there.place.heading_rad, now_s);
+    const double was_m = avatar_.feet_m().z;
+    context_.session_requests.place(there.place.feet_m, there.place.heading_rad, now_s);
     leapt_ = series;
     context_.play(cues::SoundKind::Arrived, now_s);
     std::string text =
-        phrase("walking.leapt", {{"name", there.name}, {"compass", fine_compass_word(body_.heading_goal_rad)}});
-    const double rise_m = body_.feet_m().z - was_m;
-    if (std::abs(rise_m) > kTellHeight_m)
+        phrase("walking.leapt", {{"name", there.name}, {"compass", fine_compass_word(avatar_.heading_goal_rad)}});
+    const double rise_m = avatar_.feet_m().z - was_m;
+    if (std::abs(rise_m) > kAnnouncedHeight_m)
         text += " " + phrase(rise_m > 0.0 ? "walking.higher" : "walking.lower", {{"metres", std::abs(rise_m)}});
     context_.answer(text, now_s);
 }

@@ -23,9 +23,9 @@ class Leaping : SessionPart {
 public:
     // `where_am_i` returns the answer to the question "where am I". `doors` returns the doors of the present room, or
     // none if the rooms are not known. Both functions may be set later, and must outlive this object.
-    Leaping(const SessionContext& context, const WalkerState& body, const std::function<std::string()>& where_am_i,
+    Leaping(const SessionContext& context, const WalkerState& avatar, const std::function<std::string()>& where_am_i,
             const std::function<std::vector<LeapDoor>()>& doors)
-        : SessionPart(context), body_(body), where_am_i_(where_am_i), doors_(doors) {}
+        : SessionPart(context), avatar_(avatar), where_am_i_(where_am_i), doors_(doors) {}
 
     void enter_world();
     // Begins the series again with the nearest thing. Call it after any other movement.
@@ -62,7 +62,7 @@ private:
     void leap_to(const Leapt& to, double now_s);
     void undo(double now_s);
 
-    const WalkerState& body_;
+    const WalkerState& avatar_;
     const std::function<std::string()>& where_am_i_;
     const std::function<std::vector<LeapDoor>()>& doors_;
     std::vector<Place> undo_;   // places to go back to, the newest last

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "worlds/base/language.h"
 #include "worlds/base/typist.h"
 
@@ -18,8 +18,8 @@ constexpr double kShoulder_m = 0.08;  // length of the examined space in front o
 // the body would have passed. Otherwise returns 0.
 int shoulder_met(const SessionContext& context, double way_rad) {
     const WalkerWorld& solids = *context.world.solids;
-    const WalkerSize& size = context.body.walker->size();
-    const Vec3 feet = context.body.feet_m() + Vec3(0.0, 0.0, size.step_up_m);
+    const WalkerSize& size = context.avatar.walker->size();
+    const Vec3 feet = context.avatar.feet_m() + Vec3(0.0, 0.0, size.step_up_m);
     const WalkerShape part{kShoulder_m / 2.0, size.height_m - size.step_up_m};
     const Vec3 ahead = forward_of_heading(way_rad) * (size.radius_m + kShoulder_m);
     const auto meets = [&](double side_m) {
@@ -56,7 +56,7 @@ std::string met_words(const SessionContext& context, const TraceHit& met, double
     std::string name = verbosity == 1 && feature ? spoken_name(*feature) : std::string();
     if (name.empty()) name = name_of(context, met.feature);
     std::string text = joined(name, state_words(context, met.feature));
-    const std::size_t eighth = nearest_eighth(way_rad - context.body.heading_rad);
+    const std::size_t eighth = nearest_eighth(way_rad - context.avatar.heading_rad);
     constexpr std::array kSides{"",
                                 "direction.right",
                                 "direction.right",
@@ -74,7 +74,7 @@ std::string met_words(const SessionContext& context, const TraceHit& met, double
 
 std::string blocked_words(const std::string& met) { return phrase("walking.blocked", {{"what", sentence_case(met)}}); }
 
-bool tells_steps(const SessionContext& context) {
+bool announces_steps(const SessionContext& context) {
     return spoken_to() != ActsBy::WindowKeys && context.settings.speech.verbosity > 0;
 }
 
@@ -86,7 +86,7 @@ std::string Paces::take(const SessionContext& context) {
 
 std::string Paces::take_blocked(const SessionContext& context, const std::string& met) {
     const std::string steps = take(context);
-    if (!tells_steps(context) || met.empty()) return sentence_case(met);
+    if (!announces_steps(context) || met.empty()) return sentence_case(met);
     if (steps.empty()) return blocked_words(met);
     return phrase("walking.steps_then", {{"steps", steps}, {"what", met}});
 }

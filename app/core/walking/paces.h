@@ -36,6 +36,6 @@ private:
 // Returns "Blocked. North wall, plaster".
 std::string blocked_words(const std::string& met);
 // Returns true if the person types commands, so that the number of steps is announced.
-bool tells_steps(const SessionContext& context);
+bool announces_steps(const SessionContext& context);
 
 }  // namespace handrail::core

@@ -19,8 +19,8 @@ namespace handrail::core {
 
 class Walking : SessionPart {
 public:
-    Walking(const SessionContext& context, WalkerState& body, const HeldKeys& keys, ByEar& by_ear, Footing& footing)
-        : SessionPart(context), body_(body), keys_(keys), by_ear_(by_ear), footing_(footing) {}
+    Walking(const SessionContext& context, WalkerState& avatar, const HeldKeys& keys, ByEar& by_ear, Footing& footing)
+        : SessionPart(context), avatar_(avatar), keys_(keys), by_ear_(by_ear), footing_(footing) {}
 
     // Call it after the walker has been placed at the base of a world.
     void enter_world();
@@ -35,7 +35,7 @@ public:
     // Turns, tilts and moves the walker for `dt_s`, which is at most 0.1 s.
     void tick(double now_s, double dt_s);
     // Plays the tone of the nearest wall ahead, if the person has switched that tone on.
-    void tell_walls(double now_s);
+    void announce_walls(double now_s);
     // Moves the walker to the base.
     void go_home(double now_s);
     // Moves a walker that is inside a solid to the nearest free place. Returns the distance in words, or a sentence if
@@ -64,9 +64,9 @@ public:
     double passage_width_m() const;
 
     // The session sets this function, which is called before each step. It pushes movable things in front of the
-    // walker, and removes from `wish_m_per_s` the part that leads into a body that overlaps the walker. It returns true
-    // if a thing moves aside. In that case, the contact is not a bump.
-    std::function<bool(Vec3& wish_m_per_s, double now_s)> push_ahead;
+    // walker, and removes from `intended_m_per_s` the part that leads into a body that overlaps the walker. It returns
+    // true if a thing moves aside. In that case, the contact is not a bump.
+    std::function<bool(Vec3& intended_m_per_s, double now_s)> push_ahead;
     // Called after each step, with what the walker did and met.
     std::function<void(const WalkResult& walked, double now_s)> on_walked;
     // Called for each audible bump, which is a contact of a walker that was free before.
@@ -81,19 +81,19 @@ private:
     void turn_by(double by_rad, int times, double now_s);
     void turn(double now_s, double dt_s);
     void walk(double now_s, double dt_s);
-    Vec3 own_wish(double& way_m, double dt_s);
+    Vec3 own_velocity(double& way_m, double dt_s);
     void take_from_pending(double way_m);
     void end_fall(double now_s);
     void hover(bool wants_to_go, double now_s);
-    bool go_on(const WalkResult& walked, const Vec3& wish, double way_m, double now_s);
-    void tell_frame(double now_s);
-    void tell_slide(const TraceHit& met, double way_m, double now_s);
-    void tell_step(const WalkerMotion& before, const WalkResult& walked, double now_s);
-    void tell_heading(double now_s);
-    void tell_rest(bool goes, double now_s);
-    void tell_bump(const TraceHit& met, double way_rad, double now_s);
+    bool go_on(const WalkResult& walked, const Vec3& intended, double way_m, double now_s);
+    void announce_frame(double now_s);
+    void announce_slide(const TraceHit& met, double way_m, double now_s);
+    void announce_step(const WalkerMotion& before, const WalkResult& walked, double now_s);
+    void announce_heading(double now_s);
+    void announce_rest(bool goes, double now_s);
+    void announce_bump(const TraceHit& met, double way_rad, double now_s);
 
-    WalkerState& body_;
+    WalkerState& avatar_;
     const HeldKeys& keys_;
     ByEar& by_ear_;
     Footing& footing_;
@@ -115,7 +115,7 @@ private:
     bool blocked_ = false;  // true: a bump was announced, and the walker has not moved away since then
     // True: no ground of this world holds the walker. The walker then stays in place until it is placed elsewhere.
     bool hovers_ = false;
-    bool stick_turns_ = false, free_keys_told_ = false;
+    bool stick_turns_ = false, free_keys_announced_ = false;
     double last_turn_repeat_s_ = 0.0;
     std::optional<double> heading_due_s_;  // time at which to announce the heading; each further turn postpones it
     Paces paces_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/whereabouts/room_things.h"
 #include "app/core/whereabouts/room_words.h"
 #include "app/core/whereabouts/storeys.h"
@@ -71,7 +71,8 @@ void Answers::answer(std::string_view line, double now_s) {
     const auto asked = question_in(line, names_alone(named()));
     contract_pre(asked.has_value());
     if (asked->kind == QuestionKind::Home || asked->kind == QuestionKind::Here)
-        return context_.asks.perform(asked->kind == QuestionKind::Home ? Command::Home : Command::WhereAmI, now_s);
+        return context_.session_requests.perform(asked->kind == QuestionKind::Home ? Command::Home : Command::WhereAmI,
+                                                 now_s);
     if (!needs_no_rooms(asked->kind) && !rooms_.have(now_s)) return;
     // With the rooms known, the line may contain other names, and the names have other indices.
     const std::vector<Named> all = named();
@@ -122,11 +123,11 @@ std::optional<std::string> Answers::words(const Question& question, const Named*
         case QuestionKind::OwnStorey:
             return own_storey();
         case QuestionKind::Behind:
-            return asking_.side_sentence(2);
+            return queries_.side_sentence(2);
         case QuestionKind::Left:
-            return asking_.side_sentence(3);
+            return queries_.side_sentence(3);
         case QuestionKind::Right:
-            return asking_.side_sentence(1);
+            return queries_.side_sentence(1);
         case QuestionKind::Home:
         case QuestionKind::Here:
             break;
@@ -139,7 +140,7 @@ std::optional<std::string> Answers::words(const Question& question, const Named*
 std::string Answers::place_of_room(std::uint32_t room) const {
     const navigation::RoomGraph& graph = rooms_.graph();
     const navigation::Room& is = graph.rooms[room];
-    const Vec3& feet_m = context_.body.feet_m();
+    const Vec3& feet_m = context_.avatar.feet_m();
     const auto on_foot_m = navigation::FootDistances(graph, rooms_.here(), feet_m).to(room, is.middle_m);
     return on_foot_m ? where_words_on_foot(context_, point_box(is.middle_m), *on_foot_m)
                      : phrase("answer.no_route", {{"where", where_words(context_, point_box(is.middle_m))}});
@@ -174,7 +175,7 @@ std::string Answers::size_of(std::uint32_t room) const {
 
 // Returns the door of the present room that is nearest, or else the nearest door.
 std::optional<FeatureId> Answers::nearest_door() const {
-    const Vec3& feet_m = context_.body.feet_m();
+    const Vec3& feet_m = context_.avatar.feet_m();
     std::optional<FeatureId> nearest;
     double nearest_m = 0.0;
     for (const RoomDoor& door : doors_of_room(context_, rooms_)) {
@@ -191,7 +192,7 @@ std::optional<FeatureId> Answers::nearest_door() const {
 std::string Answers::state_of_door(FeatureId door) const {
     const Feature* feature = context_.world.scene->find(door);
     if (!feature) return phrase("answer.no_door");
-    const std::string state = asking_.state_of(door), name = sentence_case(spoken_name(*feature));
+    const std::string state = queries_.state_of(door), name = sentence_case(spoken_name(*feature));
     return state.empty() ? phrase("answer.door_fixed", {{"door", name}})
                          : phrase("answer.door_is", {{"door", name}, {"state", state}});
 }
@@ -223,7 +224,7 @@ std::string Answers::door_nearby(const Named* named) const {
 std::string Answers::nearest(CommonNoun noun) const {
     if (noun == CommonNoun::Stairs) {
         const navigation::RoomGraph& graph = rooms_.graph();
-        const navigation::FootDistances on_foot(graph, rooms_.here(), context_.body.feet_m());
+        const navigation::FootDistances on_foot(graph, rooms_.here(), context_.avatar.feet_m());
         std::uint32_t nearest = navigation::kNothing;
         double nearest_m = 0.0;
         for (std::uint32_t r = 0; r < graph.rooms.size(); ++r) {
@@ -304,7 +305,7 @@ std::string Answers::storey_beside(int by) const {
 // Returns the room straight above or below the person.
 std::string Answers::room_over(int by) const {
     const navigation::RoomGraph& graph = rooms_.graph();
-    const Vec3& feet_m = context_.body.feet_m();
+    const Vec3& feet_m = context_.avatar.feet_m();
     std::uint32_t nearest = navigation::kNothing;
     double nearest_m = 0.0;
     for (std::uint32_t r = 0; r < graph.rooms.size(); ++r) {
@@ -341,7 +342,7 @@ void Answers::go_to(const Named& named, double now_s) {
 // Returns the room among these whose doorway is nearest on foot.
 std::uint32_t Answers::first_room_of(const std::vector<std::uint32_t>& among) const {
     const navigation::RoomGraph& graph = rooms_.graph();
-    const navigation::FootDistances on_foot(graph, rooms_.here(), context_.body.feet_m());
+    const navigation::FootDistances on_foot(graph, rooms_.here(), context_.avatar.feet_m());
     std::uint32_t first = among.front();
     double first_m = std::numeric_limits<double>::infinity();
     for (std::uint32_t p = 0; p < graph.portals.size(); ++p)

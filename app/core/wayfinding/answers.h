@@ -11,14 +11,14 @@
 #include "app/core/dialogue/question.h"
 #include "app/core/wayfinding/find_list.h"
 #include "app/core/wayfinding/guide.h"
-#include "app/core/whereabouts/asking.h"
+#include "app/core/whereabouts/queries.h"
 
 namespace handrail::core {
 
 class Answers : SessionPart {
 public:
-    Answers(const SessionContext& context, Rooms& rooms, Asking& asking, Guide& guide)
-        : SessionPart(context), rooms_(rooms), asking_(asking), guide_(guide) {}
+    Answers(const SessionContext& context, Rooms& rooms, Queries& queries, Guide& guide)
+        : SessionPart(context), rooms_(rooms), queries_(queries), guide_(guide) {}
 
     // Returns true if the line contains a question that this class answers. Needs no rooms.
     bool knows(std::string_view line) const;
@@ -56,7 +56,7 @@ private:
     std::optional<FeatureId> nearest_door() const;
 
     Rooms& rooms_;
-    Asking& asking_;
+    Queries& queries_;
     Guide& guide_;
 };
 

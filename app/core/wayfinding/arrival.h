@@ -23,7 +23,7 @@ public:
     void tell(std::string text, const How& how, double now_s);
     // Announces the arrival again. Returns false if there is nothing to announce: the person has gone away, follows a
     // new route, or the last arrival has another topic. `led` is the present value of How::led.
-    bool tell_anew(cues::SpeechTopic topic, bool led, double now_s);
+    bool announce_anew(cues::SpeechTopic topic, bool led, double now_s);
     void forget() { last_.reset(); }
 
 private:

@@ -6,8 +6,8 @@
 #include <memory>
 #include <utility>
 
+#include "app/core/context/context_words.h"
 #include "app/core/context/kinds_first.h"
-#include "app/core/context/telling.h"
 #include "app/core/whereabouts/room_things.h"
 #include "app/core/world/body_heights.h"
 #include "app/core/world/surroundings.h"
@@ -83,7 +83,7 @@ std::vector<ListItem> items_of(const SessionContext& context, const Rooms& rooms
 }  // namespace
 
 std::vector<FindGroup> find_groups(const SessionContext& context, const Rooms& rooms, FindKind kind) {
-    const Vec3& feet_m = context.body.feet_m();
+    const Vec3& feet_m = context.avatar.feet_m();
     const Vec3 waist_m = feet_m + Vec3(0.0, 0.0, kWaist_m);
     std::vector<std::pair<double, Found>> all;
     const std::uint32_t here =
@@ -109,7 +109,7 @@ std::vector<FindGroup> find_groups(const SessionContext& context, const Rooms& r
 }
 
 std::string find_words(const SessionContext& context, const Rooms& rooms, const Found& found) {
-    const Aabb box_m = told_box(rooms, found.goal);
+    const Aabb box_m = announced_box(rooms, found.goal);
     std::string where =
         found.on_foot_m ? where_words_on_foot(context, box_m, *found.on_foot_m) : where_words(context, box_m);
     if (found.room == navigation::kNothing || found.room >= rooms.graph().rooms.size()) return where;

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 
 namespace handrail::core {
 namespace {
@@ -16,7 +16,7 @@ FloorGrooves::FloorGrooves(const SessionContext& context, Rooms& rooms, const Ro
 
 void FloorGrooves::enter_world() { laid_ = {}; }
 
-bool FloorGrooves::wished() const {
+bool FloorGrooves::wanted() const {
     const HandsState& hands = context_.hands;
     return context_.settings.guidance.grooves && hands.right.present && !hands.keys_alone && !hands.at_desk();
 }

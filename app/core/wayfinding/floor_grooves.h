@@ -18,7 +18,7 @@ public:
 
     void enter_world();
     // Returns true if the person wants grooves and a hand in the world can feel them.
-    bool wished() const;
+    bool wanted() const;
     // Returns new grooves, which have no number yet, or no value if the present ones stay. New grooves are made for
     // another route, another scale, or a hand that has moved far. `path` is the present path of the servo. Call this
     // function while no other guidance acts and force is permitted.

@@ -36,13 +36,13 @@ std::vector<GrooveLeg> grooves_through_doorways(const navigation::RoomGraph& gra
 }
 
 Grooves nearest_grooves(std::span<const Vec3> way_m, std::span<const GrooveLeg> doorways, const Vec3& near_m,
-                        double ball_radius_m) {
-    contract_pre(is_finite(near_m) && ball_radius_m > 0.0);
+                        double proxy_radius_m) {
+    contract_pre(is_finite(near_m) && proxy_radius_m > 0.0);
     std::vector<std::pair<double, GrooveLeg>> legs;
     const auto offer = [&](const Vec3& from, const Vec3& to) {
-        const Vec3 up(0.0, 0.0, ball_radius_m);
+        const Vec3 up(0.0, 0.0, proxy_radius_m);
         const std::array ends{from + up, to + up};
-        legs.emplace_back(navigation::nearest_on_way(ends, near_m).distance_m, GrooveLeg{ends[0], ends[1]});
+        legs.emplace_back(navigation::nearest_on_path(ends, near_m).distance_m, GrooveLeg{ends[0], ends[1]});
     };
     for (std::size_t i = 0; i + 1 < way_m.size(); ++i) offer(way_m[i], way_m[i + 1]);
     for (const GrooveLeg& leg : doorways) offer(leg.from_m, leg.to_m);

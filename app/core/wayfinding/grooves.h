@@ -27,6 +27,6 @@ struct Grooves {
     double good_within_m = 0.0;
 };
 Grooves nearest_grooves(std::span<const Vec3> way_m, std::span<const GrooveLeg> doorways, const Vec3& near_m,
-                        double ball_radius_m);
+                        double proxy_radius_m);
 
 }  // namespace handrail::core

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/context/context_words.h"
 #include "app/core/context/kinds_first.h"
-#include "app/core/context/telling.h"
 #include "app/core/wayfinding/find_list.h"
-#include "app/core/wayfinding/hand_way.h"
+#include "app/core/wayfinding/hand_path.h"
 #include "app/core/wayfinding/storey_list.h"
 #include "app/core/whereabouts/storeys.h"
 #include "app/core/world/body_heights.h"
@@ -21,7 +21,7 @@ namespace handrail::core {
 namespace {
 
 constexpr double kLookRange_m = 30.0;
-constexpr double kNoWay_m = 1e6;  // a distance larger than any distance on foot
+constexpr double kNoRoute_m = 1e6;  // a distance larger than any distance on foot
 // At most this many routes are planned for a list; each plan costs some milliseconds.
 constexpr std::size_t kMostOnFoot = 16;
 
@@ -54,7 +54,7 @@ void Guide::enter_world() {
     ground_.enter_world();
     hand_.enter_world();
     seek_.enter_world();
-    doors_.forget_told();
+    doors_.forget_announced();
 }
 
 bool Guide::act(Command command, double now_s) {
@@ -65,10 +65,10 @@ bool Guide::act(Command command, double now_s) {
     else if (command == Command::CrossLines) toggle_lines(now_s);
     else if (command == Command::Routes) list_routes(now_s);
     else if (command == Command::Storeys) list_storeys(now_s);
-    else if (command == Command::RepeatLeg) ear_.tell_leg(now_s);
-    else if (command == Command::NextLeg) ear_.tell_next_leg(now_s);
-    else if (command == Command::RestOfWay) ear_.tell_rest(now_s);
-    else if (command == Command::FaceWay) face_way(now_s);
+    else if (command == Command::RepeatLeg) ear_.announce_leg(now_s);
+    else if (command == Command::NextLeg) ear_.announce_next_leg(now_s);
+    else if (command == Command::RestOfRoute) ear_.announce_rest(now_s);
+    else if (command == Command::FaceRoute) face_route(now_s);
     else return false;
     return true;
 }
@@ -84,7 +84,7 @@ bool Guide::follow_to(const Vec3& goal_m, const std::string& name, bool by_room,
 }
 
 std::vector<std::string> Guide::take_legs() {
-    std::vector<std::string> legs = ear_.following() ? ear_.rest_of_way() : std::vector<std::string>{};
+    std::vector<std::string> legs = ear_.following() ? ear_.rest_of_route() : std::vector<std::string>{};
     ear_.stop();
     return legs;
 }
@@ -102,31 +102,31 @@ void Guide::follow(double now_s) {
     const std::string name = ear_.name();
     if (said.left) {
         // The person has left the route. It is planned again from the present place, and that is announced once.
-        context_.events.tell(LeftRoute{name, LedBy::Ear}, now_s);
+        context_.events.report(LeftRoute{name, LedBy::Ear}, now_s);
         if (plans_.runs_to(name)) go_on(phrase("lead.left_way"), now_s);
         else ear_.follow_again(phrase("lead.left_way"), now_s);
     } else if (!said.text.empty()) {
         if (said.arrived) context_.play(cues::SoundKind::Arrived, now_s);
         if (said.arrived && plans_.runs_to(name) && next_stop(said.text, now_s)) return;
-        if (!said.arrived) return ear_.tell_leg_unasked(said.text, false, now_s);
+        if (!said.arrived) return ear_.announce_leg_unprompted(said.text, false, now_s);
         arrival_.tell(said.text, {.room = to_room, .led = on_route()}, now_s);
-        context_.events.tell(Arrived{name, LedBy::Ear, ear_.to_nearest()}, now_s);
+        context_.events.report(Arrived{name, LedBy::Ear, ear_.to_nearest()}, now_s);
         plans_.end();
         if (beacon().name() == name) silence_beacon();
     }
 }
 
-void Guide::tell_anew(cues::SpeechTopic topic, double now_s) {
-    ear_.tell_anew(topic, now_s);
+void Guide::announce_anew(cues::SpeechTopic topic, double now_s) {
+    ear_.announce_anew(topic, now_s);
     if (topic != cues::SpeechTopic::Summary) return;
-    if (ear_.following()) return seek_.tell_anew(now_s);
+    if (ear_.following()) return seek_.announce_anew(now_s);
     if (beacon().on()) tell_beacon(now_s);
     if (seek_.warmer().on()) tell_warmer(now_s);
 }
 
 void Guide::lead(double now_s) {
-    if (hand_.wants_new_way(goal_, now_s)) {
-        context_.events.tell(LeftRoute{goal_->name, LedBy::Hand}, now_s);
+    if (hand_.wants_new_path(goal_, now_s)) {
+        context_.events.report(LeftRoute{goal_->name, LedBy::Hand}, now_s);
         const int errors = hand_.errors();
         lead_to(Goal(*goal_), phrase("lead.left_way"), now_s);
         hand_.count_errors_from(errors + 1);
@@ -137,7 +137,7 @@ void Guide::lead(double now_s) {
     const std::string name = goal_ ? goal_->name : std::string();
     if (arrival->to_nearest) plans_.end();
     if (plans_.runs_to(name) && plans_.by_hand() && next_stop(phrase("ways.reached", {{"stop", name}}), now_s)) return;
-    context_.events.tell(Arrived{name, arrival->by_pull ? LedBy::Hand : LedBy::Lines, arrival->to_nearest}, now_s);
+    context_.events.report(Arrived{name, arrival->by_pull ? LedBy::Hand : LedBy::Lines, arrival->to_nearest}, now_s);
     arrival_.tell(phrase(arrival->to_nearest ? "lead.nearest_place" : "lead.here", {{"goal", name}}),
                   {.answers = true, .led = on_route()}, now_s);
 }
@@ -146,7 +146,7 @@ void Guide::call(double now_s) {
     if (seek_.tick_beacon(now_s)) {
         // The route ends together with the beacon, so that the arrival is announced only once.
         if (ear_.name() == beacon().name() && !plans_.running()) ear_.stop();
-        context_.events.tell(Arrived{beacon().name(), LedBy::Beacon}, now_s);
+        context_.events.report(Arrived{beacon().name(), LedBy::Beacon}, now_s);
         tell_found(beacon().name(), now_s);
     }
     if (seek_.tick_warmer(now_s)) tell_found(seek_.warmer().name(), now_s);
@@ -163,7 +163,7 @@ void Guide::tell_found(const std::string& name, double now_s) {
 void Guide::go_along(const std::vector<Stop>& stops, bool by_hand, double now_s) {
     hand_.end();
     ear_.stop();
-    const Vec3 here = by_hand ? finding_place_m(context_) : context_.body.feet_m();
+    const Vec3 here = by_hand ? finding_place_m(context_) : context_.avatar.feet_m();
     plans_.begin(stops, near_stop(stops.front(), here, kAtStop_m), by_hand);
     go_on({}, now_s);
 }
@@ -172,7 +172,7 @@ void Guide::go_along(const std::vector<Stop>& stops, bool by_hand, double now_s)
 void Guide::go_on(const std::string& first, double now_s) {
     const Stop& stop = plans_.stop();
     if (plans_.by_hand()) return lead_to(goal_of(context_, stop), first, now_s);
-    ear_.follow(plans_.on(context_.body.feet_m()), stop.name, first, now_s);
+    ear_.follow(plans_.on(context_.avatar.feet_m()), stop.name, first, now_s);
 }
 
 // Continues the saved route after its stop was reached. If the route continues, announces that after `words`, which
@@ -180,7 +180,7 @@ void Guide::go_on(const std::string& first, double now_s) {
 bool Guide::next_stop(const std::string& words, double now_s) {
     const StopPassed passed{plans_.stop().name, plans_.by_hand() ? LedBy::Hand : LedBy::Ear};
     if (!plans_.next()) return false;
-    context_.events.tell(passed, now_s);
+    context_.events.report(passed, now_s);
     go_on(words, now_s);
     return true;
 }
@@ -190,7 +190,7 @@ bool Guide::next_stop(const std::string& words, double now_s) {
 void Guide::list_routes(double now_s) {
     if (!rooms_.have(now_s)) return;
     const navigation::RoomGraph& graph = rooms_.graph();
-    const Vec3& feet_m = context_.body.feet_m();
+    const Vec3& feet_m = context_.avatar.feet_m();
     const navigation::FootDistances on_foot(graph, rooms_.here(), feet_m);
     struct Near {
         // Distance on foot; rooms without a known route come after all others, ordered by direct distance.
@@ -202,7 +202,7 @@ void Guide::list_routes(double now_s) {
     for (std::uint32_t r = 0; r < graph.rooms.size(); ++r) {
         if (r == rooms_.here()) continue;
         const Vec3& middle_m = graph.rooms[r].middle_m;
-        near.push_back({on_foot.to(r, middle_m).value_or(kNoWay_m + glm::length(middle_m - feet_m)), r, {}});
+        near.push_back({on_foot.to(r, middle_m).value_or(kNoRoute_m + glm::length(middle_m - feet_m)), r, {}});
     }
     const auto in_order = [](const Near& a, const Near& b) { return a.order_m < b.order_m; };
     std::stable_sort(near.begin(), near.end(), in_order);
@@ -235,7 +235,7 @@ void Guide::list_routes(double now_s) {
     }
     if (list.items.empty()) return context_.answer(phrase("rooms.no_other"), now_s);
     list.chosen = [this, rooms](std::size_t at) {
-        if (rooms[at] == navigation::kNothing && at == 0) return ear_.tell_on(context_.tick_s);
+        if (rooms[at] == navigation::kNothing && at == 0) return ear_.announce_onward(context_.tick_s);
         if (rooms[at] == navigation::kNothing) {
             ear_.stop();
             plans_.end();
@@ -266,13 +266,13 @@ void Guide::list_storeys(double now_s) {
 
 void Guide::go_to_room(std::uint32_t room, double now_s) {
     plans_.end();
-    planned_.note(stop_in_room(rooms_, room), context_.body.feet_m());
-    if (!ear_.follow_to_room(room, {}, now_s) && on_no_way) on_no_way(room, now_s);
+    planned_.note(stop_in_room(rooms_, room), context_.avatar.feet_m());
+    if (!ear_.follow_to_room(room, {}, now_s) && on_no_route) on_no_route(room, now_s);
 }
 
-void Guide::face_way(double now_s) {
+void Guide::face_route(double now_s) {
     const auto heading_rad = ear_.leg_heading_rad();
-    if (!heading_rad) return ear_.tell_on(now_s);
+    if (!heading_rad) return ear_.announce_onward(now_s);
     if (on_face) on_face(*heading_rad, now_s);
 }
 
@@ -289,14 +289,15 @@ void Guide::open_tools(const Goal& goal, double now_s) {
     list.title = goal.name;
     for (const char* way : {"guide.beacon", "guide.take_me", "guide.warmer", "guide.lines"})
         list.items.push_back({phrase(way), ""});
-    list.items.push_back({phrase("guide.where_is_it"), where_words(context_, told_box(rooms_, goal))});
+    list.items.push_back({phrase("guide.where_is_it"), where_words(context_, announced_box(rooms_, goal))});
     list.items.back().also_typed = phrase("guide.where_is_it_question");
     list.chosen = [this, goal](std::size_t i) {
         if (i == 0) set_beacon(goal, context_.tick_s);
         if (i == 1) lead_as_planned(goal, context_.tick_s);
         if (i == 2) seek_warmer(goal, context_.tick_s);
         if (i == 3) cross_lines(goal, context_.tick_s);
-        if (i == 4) context_.answer(joined(goal.name, where_words(context_, told_box(rooms_, goal))), context_.tick_s);
+        if (i == 4)
+            context_.answer(joined(goal.name, where_words(context_, announced_box(rooms_, goal))), context_.tick_s);
     };
     context_.open_list(std::move(list), now_s);
 }
@@ -307,7 +308,7 @@ void Guide::go_to_thing(const Goal& goal, double now_s) {
 }
 
 void Guide::call_from(const Goal& goal) {
-    context_.events.tell(Led{goal.name, LedBy::Beacon}, context_.tick_s);
+    context_.events.report(Led{goal.name, LedBy::Beacon}, context_.tick_s);
     goal_ = goal;
     seek_.start_beacon(goal);
 }
@@ -321,10 +322,10 @@ void Guide::set_beacon(const Goal& goal, double now_s) {
 void Guide::tell_beacon(double now_s) {
     const std::string how = seek_.beacon_words(now_s);
     const Goal goal{beacon().name(), beacon().thing_m(), beacon().feature()};
-    const std::string where = where_words(context_, told_box(rooms_, goal));
-    context_.tell(cues::SpeechTopic::Summary,
-                  phrase("guide.beacon_on", {{"name", goal.name}, {"where", where}}) + (how.empty() ? how : ". " + how),
-                  now_s);
+    const std::string where = where_words(context_, announced_box(rooms_, goal));
+    context_.announce(
+        cues::SpeechTopic::Summary,
+        phrase("guide.beacon_on", {{"name", goal.name}, {"where", where}}) + (how.empty() ? how : ". " + how), now_s);
 }
 
 // Puts the beacon on what the hand touches, or else on what is straight ahead. If there is neither, the person chooses
@@ -336,8 +337,8 @@ void Guide::beacon_here(double now_s) {
     if (context_.hands.answers() && tool.touches()) {
         id = tool.touched();
         place = tool.proxy_m;
-    } else if (const auto seen = look(*context_.world.solids, context_.body.feet_m(), kWaist_m,
-                                      context_.body.heading_rad, kLookRange_m)) {
+    } else if (const auto seen = look(*context_.world.solids, context_.avatar.feet_m(), kWaist_m,
+                                      context_.avatar.heading_rad, kLookRange_m)) {
         id = seen->feature;
         place = seen->point_m;
     }
@@ -371,9 +372,9 @@ void Guide::seek_warmer(const Goal& goal, double now_s) {
 // Announces to what "warmer" guides, and how.
 void Guide::tell_warmer(double now_s) {
     const std::string how = seek_.warmer_words(now_s);
-    context_.tell(cues::SpeechTopic::Summary,
-                  phrase("guide.warmer_on", {{"name", seek_.warmer().name()}}) + (how.empty() ? how : ". " + how),
-                  now_s);
+    context_.announce(cues::SpeechTopic::Summary,
+                      phrase("guide.warmer_on", {{"name", seek_.warmer().name()}}) + (how.empty() ? how : ". " + how),
+                      now_s);
 }
 
 // ---- guidance ----
@@ -395,7 +396,7 @@ void Guide::take_me(double now_s) {
     lead_to(Goal(*goal_), {}, now_s);
 }
 
-void Guide::leave_way() {
+void Guide::leave_route() {
     hand_.end();
     ear_.stop();
     plans_.end();
@@ -405,7 +406,7 @@ void Guide::leave_way() {
 // Guides to a goal, and notes it as the next stop of the planned route.
 void Guide::lead_as_planned(const Goal& goal, double now_s) {
     plans_.end();
-    const Vec3 from = hand_.may_lead() && hand_.force_may_act() ? finding_place_m(context_) : context_.body.feet_m();
+    const Vec3 from = hand_.may_lead() && hand_.force_may_act() ? finding_place_m(context_) : context_.avatar.feet_m();
     if (rooms_.known()) planned_.note(stop_at_goal(context_, rooms_, goal, from), from);
     lead_to(goal, {}, now_s);
 }
@@ -419,7 +420,7 @@ void Guide::lead_to(const Goal& goal, const std::string& first, double now_s) {
     if (way.points_m.empty()) return lead_by_ear(goal, beside(first, way.problem), now_s);
     // The number of the feature distinguishes things with the same name.
     laps_.begin(fmt::format("{} {}", goal.name, goal.feature.value));
-    const std::string where = where_words(context_, told_box(rooms_, goal));
+    const std::string where = where_words(context_, announced_box(rooms_, goal));
     const auto taking = [&] {
         if (!way.reaches)
             return phrase("lead.to_nearest",
@@ -429,7 +430,7 @@ void Guide::lead_to(const Goal& goal, const std::string& first, double now_s) {
     std::string words = with_passages(beside(first, taking()), way);
     if (help() == 1.0) words = beside(words, phrase("lead.hold_to_end"));
     else if (help() > 0.0) words = beside(words, phrase("lead.help", {{"percent", std::lround(100.0 * help())}}));
-    context_.events.tell(Led{goal.name, LedBy::Hand}, now_s);
+    context_.events.report(Led{goal.name, LedBy::Hand}, now_s);
     hand_.pull(way, help() * context_.settings.guidance.strength, std::move(words), now_s);
 }
 
@@ -444,7 +445,7 @@ void Guide::lead_by_ear(const Goal& goal, const std::string& first, double now_s
         return go_on(first, now_s);
     }
     const WalkerWorld& solids = *context_.world.solids;
-    const Vec3& feet_m = context_.body.feet_m();
+    const Vec3& feet_m = context_.avatar.feet_m();
     const Vec3 waist_m = feet_m + Vec3(0.0, 0.0, kWaist_m);
     const bool in_sight = free_line(solids, waist_m, place_on(goal.box_m, waist_m), goal.feature);
     navigation::Route route;
@@ -452,8 +453,8 @@ void Guide::lead_by_ear(const Goal& goal, const std::string& first, double now_s
     const bool straight = route.reaches && route.points_m.size() <= 2;
     if (in_sight || route.points_m.empty()) seek_.start_beacon(goal);
     if (route.points_m.empty() || (in_sight && straight)) {
-        context_.events.tell(Led{goal.name, LedBy::Beacon}, now_s);
-        const std::string where = where_words(context_, told_box(rooms_, goal));
+        context_.events.report(Led{goal.name, LedBy::Beacon}, now_s);
+        const std::string where = where_words(context_, announced_box(rooms_, goal));
         return context_.answer(beside(first, phrase("lead.follow_beacon", {{"goal", goal.name}, {"where", where}})),
                                now_s);
     }
@@ -470,8 +471,8 @@ void Guide::cross_lines(const Goal& goal, double now_s) {
     if (context_.settings.guidance.along_way) {
         const HandRoute way = plans_.for_hand(goal, HandLead::kMostLinePoints);
         if (way.reaches && way.points_m.size() >= 2) {
-            const std::string where = where_words(context_, told_box(rooms_, goal));
-            context_.events.tell(Led{goal.name, LedBy::Lines}, now_s);
+            const std::string where = where_words(context_, announced_box(rooms_, goal));
+            context_.events.report(Led{goal.name, LedBy::Lines}, now_s);
             return hand_.lines(
                 way, with_passages(phrase("lead.lines_along", {{"goal", goal.name}, {"where", where}}), way), now_s);
         }

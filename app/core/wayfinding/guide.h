@@ -35,8 +35,8 @@ public:
           seek_(context, rooms, plans_, doors) {}
 
     void enter_world();
-    // Carries out the commands SetBeacon, MuteBeacon, TakeMe, Find, CrossLines, Routes, Storeys and FaceWay, and those
-    // for the legs of a route. Returns false for other commands.
+    // Carries out the commands SetBeacon, MuteBeacon, TakeMe, Find, CrossLines, Routes, Storeys and FaceRoute, and
+    // those for the legs of a route. Returns false for other commands.
     bool act(Command command, double now_s);
     // Call these three functions in each tick, in this order. They update the route that is followed by ear, the
     // guidance of the hand, and the sounds of the things that the person searches for.
@@ -44,11 +44,11 @@ public:
     void lead(double now_s);
     void call(double now_s);
     // Announces the whole route or its next leg once more, because the line about it was cut off.
-    void tell_anew(cues::SpeechTopic topic, double now_s);
+    void announce_anew(cues::SpeechTopic topic, double now_s);
     // Announces an arrival once more, because the line about it was cut off. Returns false if there is no such arrival
     // or it no longer holds.
     bool tell_arrival_anew(cues::SpeechTopic topic, double now_s) {
-        return arrival_.tell_anew(topic, on_route(), now_s);
+        return arrival_.announce_anew(topic, on_route(), now_s);
     }
 
     // ---- for other features ----
@@ -65,8 +65,8 @@ public:
     bool plans_legs() const { return ear_.plans_legs(); }
     // Returns true while the legs to the end of the route are still being planned.
     bool plans_rest() const { return ear_.plans_rest(); }
-    // Returns the legs that the command RestOfWay announces, one text each, and ends the guidance. The list is empty if
-    // there is no route.
+    // Returns the legs that the command RestOfRoute announces, one text each, and ends the guidance. The list is empty
+    // if there is no route.
     std::vector<std::string> take_legs();
     // Returns true if there is a room with this name that the person can choose as a goal.
     bool leads_to(std::string_view typed) const;
@@ -89,7 +89,7 @@ public:
     // Returns true while the hand is guided, a route is followed by ear, or the beacon is on.
     bool leads() const { return on_route() || beacon().on(); }
     // Ends all guidance silently.
-    void leave_way();
+    void leave_route();
     void change_help(int by) { laps_.change(by); }
     // Ends the guidance of the hand. Call it when another device is used.
     void let_go() { hand_.end(); }
@@ -107,7 +107,7 @@ public:
     // The session sets these functions. `on_face` turns the walker. The other one explains why a room cannot be
     // reached.
     std::function<void(double heading_rad, double now_s)> on_face;
-    std::function<void(std::uint32_t room, double now_s)> on_no_way;
+    std::function<void(std::uint32_t room, double now_s)> on_no_route;
 
     const std::optional<Goal>& goal() const { return goal_; }  // returns the goal of the command TakeMe
     const Beacon& beacon() const { return seek_.beacon(); }
@@ -135,7 +135,7 @@ private:
     void lead_by_ear(const Goal& goal, const std::string& first, double now_s);
     void cross_lines(const Goal& goal, double now_s);
     void toggle_lines(double now_s);
-    void face_way(double now_s);
+    void face_route(double now_s);
     void go_on(const std::string& first, double now_s);
     bool next_stop(const std::string& words, double now_s);
 

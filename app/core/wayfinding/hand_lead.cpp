@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/dialogue/words.h"
 #include "app/core/wayfinding/sought_route.h"
 #include "worlds/base/language.h"
@@ -40,14 +40,14 @@ servo::GuidancePath pull_along(std::span<const Vec3> points_m) {
 
 servo::GuidancePath lines_along(std::span<const Vec3> points_m) {
     servo::GuidancePath path;
-    path.kind = servo::GuidanceKind::WayLines;
+    path.kind = servo::GuidanceKind::PathLines;
     for (std::size_t i = 0; i + 1 < points_m.size(); ++i)
         for (const Vec3& end : {points_m[i], points_m[i + 1]}) path.points_m[path.count++] = end;
     return path;
 }
 
 bool are_lines(servo::GuidanceKind kind) {
-    return kind == servo::GuidanceKind::CrossLines || kind == servo::GuidanceKind::WayLines;
+    return kind == servo::GuidanceKind::CrossLines || kind == servo::GuidanceKind::PathLines;
 }
 
 }  // namespace
@@ -113,9 +113,9 @@ void HandLead::announce(servo::GuidancePath path, std::string words, double now_
     led_.stray = false;
     led_.to_nearest = false;
     led_.jump = context_.hands.pose.jump;
-    led_.feet_before_m = context_.body.feet_m();
+    led_.feet_before_m = context_.avatar.feet_m();
     led_.moved_s = led_.off_since_s = -1e9;
-    doors_.forget_told();
+    doors_.forget_announced();
     led_.planned_in = context_.world.scene;
     context_.play(cues::SoundKind::GuideStart, now_s);
     context_.answer(std::move(words), now_s);
@@ -142,12 +142,12 @@ bool HandLead::hand_at(const std::optional<Goal>& goal) const {
 
 // ---- every tick ----
 
-bool HandLead::wants_new_way(const std::optional<Goal>& goal, double now_s) {
+bool HandLead::wants_new_path(const std::optional<Goal>& goal, double now_s) {
     if (led_.path.kind != servo::GuidanceKind::Pull &&
         !(led_.announced && led_.announced->kind == servo::GuidanceKind::Pull))
         return false;
     const servo::ToolState& tool = context_.hands.tool;
-    const Vec3& feet_m = context_.body.feet_m();
+    const Vec3& feet_m = context_.avatar.feet_m();
     if (tool.workspace_motion == servo::WorkspaceMotion::Grabbed || feet_m != led_.feet_before_m) led_.moved_s = now_s;
     // If a moving door leaf pushes the hand, the person has not pulled the hand away.
     const auto contacts = contacts_of(tool);
@@ -175,7 +175,7 @@ std::optional<HandLead::Arrival> HandLead::tick(const std::optional<Goal>& goal,
         led_.announced.reset();
         led_.acts = true;
         led_.lines_laid_s = now_s;
-        if (led_.path.kind == servo::GuidanceKind::WayLines) led_.off_since_s = now_s;
+        if (led_.path.kind == servo::GuidanceKind::PathLines) led_.off_since_s = now_s;
     }
     if (!at_work()) lay_grooves(now_s);
     if (!led_.acts) return std::nullopt;
@@ -187,7 +187,7 @@ std::optional<HandLead::Arrival> HandLead::tick(const std::optional<Goal>& goal,
     const bool pull = led_.path.kind == servo::GuidanceKind::Pull, acts = felt.phase == servo::GuidancePhase::Acts;
     bool arrived = felt.phase == servo::GuidancePhase::Arrived;
     if (led_.path.kind == servo::GuidanceKind::CrossLines && acts) return std::nullopt;
-    if (led_.path.kind == servo::GuidanceKind::WayLines) {
+    if (led_.path.kind == servo::GuidanceKind::PathLines) {
         // If a jump of the workspace ended the lines, they are set again from the new place of the hand.
         if (acts || force_may_act()) {
             arrived = acts && (hand_at(goal) || glm::length(tool.hip_m - points_of(led_.path).back()) <=
@@ -200,7 +200,7 @@ std::optional<HandLead::Arrival> HandLead::tick(const std::optional<Goal>& goal,
     } else if (acts) {
         arrived = hand_at(goal);
         if (!arrived) {
-            watch_way(goal, now_s);
+            watch_path(goal, now_s);
             return std::nullopt;
         }
     }
@@ -228,8 +228,8 @@ std::string HandLead::no_longer_words() const {
 }
 
 // While the hand is pulled, announces doors on the path and checks how far the hand is from the path.
-void HandLead::watch_way(const std::optional<Goal>& goal, double now_s) {
-    doors_.tell_touched(now_s);
+void HandLead::watch_path(const std::optional<Goal>& goal, double now_s) {
+    doors_.announce_touched(now_s);
     if (goal && led_.planned_in != context_.world.scene) {
         // Something has moved since the path was planned, such as a door leaf. So the same guidance silently continues
         // along a new path.
@@ -239,7 +239,7 @@ void HandLead::watch_way(const std::optional<Goal>& goal, double now_s) {
         return;
     }
     const double off_m =
-        navigation::nearest_on_way(points_of(led_.path), context_.hands.tool.hip_m).distance_m / scale(context_);
+        navigation::nearest_on_path(points_of(led_.path), context_.hands.tool.hip_m).distance_m / scale(context_);
     if (off_m > kStray_hand_m && !std::exchange(led_.stray, true)) ++led_.errors;
     if (off_m < 0.5 * kStray_hand_m) led_.stray = false;
     if (off_m <= kLeft_hand_m) led_.off_since_s = now_s;
@@ -252,9 +252,9 @@ void HandLead::watch_way(const std::optional<Goal>& goal, double now_s) {
 
 // Leaves the lines in place until the hand has left them or something has moved.
 void HandLead::watch_lines(const std::optional<Goal>& goal, double now_s) {
-    doors_.tell_touched(now_s);
+    doors_.announce_touched(now_s);
     const servo::ToolState& tool = context_.hands.tool;
-    if (navigation::nearest_on_way(points_of(led_.path), tool.hip_m).distance_m <= kLeft_hand_m * scale(context_))
+    if (navigation::nearest_on_path(points_of(led_.path), tool.hip_m).distance_m <= kLeft_hand_m * scale(context_))
         led_.off_since_s = now_s;
     const bool ended = tool.guidance.phase != servo::GuidancePhase::Acts;
     if ((ended || led_.planned_in != context_.world.scene || now_s - led_.off_since_s > kLeft_s) &&
@@ -273,7 +273,7 @@ void HandLead::lay_lines(const Goal& goal, double now_s) {
 }
 
 void HandLead::lay_grooves(double now_s) {
-    if (grooves_.wished() && force_may_act()) {
+    if (grooves_.wanted() && force_may_act()) {
         if (const auto path = grooves_.lay(led_.path, now_s)) publish(*path);
     } else if (led_.path.kind == servo::GuidanceKind::Grooves) {
         led_.path.number = 0;
@@ -285,18 +285,18 @@ Vec3 HandLead::carry() {
     const servo::ToolState& tool = hands.tool;
     const auto way = points_of(led_.path);
     // If the guidance consists of lines, the workspace moves only while the hand is on the lines and leans along them.
-    const bool lines = led_.path.kind == servo::GuidanceKind::WayLines;
+    const bool lines = led_.path.kind == servo::GuidanceKind::PathLines;
     const bool led = led_.acts && (lines || led_.path.kind == servo::GuidanceKind::Pull) && led_.path.strength > 0.0 &&
                      tool.guidance.number == led_.path.number && tool.guidance.phase == servo::GuidancePhase::Acts &&
                      tool.workspace_jump == hands.pose.jump && !hands.at_desk() &&
-                     (!lines || navigation::nearest_on_way(way, tool.hip_m).distance_m <=
+                     (!lines || navigation::nearest_on_path(way, tool.hip_m).distance_m <=
                                     servo::Guidance::kGrooveHalfWidth_m * scale(context_));
     Vec3 push(0.0);
     bool carries = false;
     if (led) {
         const double ahead_m = kCarryAhead_hand_m * scale(context_);
         const Vec3 ahead =
-            navigation::place_along(way, navigation::nearest_on_way(way, tool.hip_m).along_m + ahead_m) - tool.hip_m;
+            navigation::place_along(way, navigation::nearest_on_path(way, tool.hip_m).along_m + ahead_m) - tool.hip_m;
         if (const double length_m = glm::length(ahead); length_m > 1e-6) {
             push = servo::frame_of(hands.pose.origin_m, hands.pose.heading_rad).turn_to_device(ahead / length_m);
             carries = glm::dot(tool.hand_m, push) >

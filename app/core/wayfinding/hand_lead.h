@@ -44,7 +44,7 @@ public:
     // ---- every tick ----
     // Returns true once everything is at rest and a new path to `goal` must be planned and announced. If the person
     // walks, turns or moves the workspace, the hand has not left the guidance.
-    bool wants_new_way(const std::optional<Goal>& goal, double now_s);
+    bool wants_new_path(const std::optional<Goal>& goal, double now_s);
     // Returns how often the hand has left the path in this lap. The count continues on a new path.
     int errors() const { return led_.errors; }
     void count_errors_from(int errors) { led_.errors = errors; }
@@ -73,7 +73,7 @@ private:
     std::string no_longer_words() const;
     void publish(servo::GuidancePath path);
     void go_on_along(servo::GuidancePath path);
-    void watch_way(const std::optional<Goal>& goal, double now_s);
+    void watch_path(const std::optional<Goal>& goal, double now_s);
     void lay_lines(const Goal& goal, double now_s);
     void watch_lines(const std::optional<Goal>& goal, double now_s);
     void lay_grooves(double now_s);

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "app/core/context/telling.h"
-#include "app/core/world/body_meets.h"
+#include "app/core/context/context_words.h"
 #include "app/core/world/questions.h"
+#include "app/core/world/walker_meets.h"
 #include "worlds/scene/models.h"
 
 namespace handrail::core {
@@ -53,7 +53,7 @@ std::optional<std::uint32_t> leaf_across(const WorldState& world, const WalkerSi
         const Vec3 way = to_m - from_m;
         if (std::hypot(way.x, way.y) < kLeastStretch_m) continue;
         const double far_m = std::hypot(way.x, way.y) + kBeyondEnd_m;
-        const auto met = body_meets(*world.solids, from_m, size, std::atan2(way.x, way.y), far_m);
+        const auto met = walker_meets(*world.solids, from_m, size, std::atan2(way.x, way.y), far_m);
         const int found = met ? mover_of(world, met->feature) : -1;
         if (found < 0) continue;
         const auto mover = static_cast<std::uint32_t>(found);
@@ -74,7 +74,7 @@ std::optional<std::uint32_t> leaf_across(const WorldState& world, const WalkerSi
 }
 
 std::string leaf_ahead(const SessionContext& context, std::span<const Vec3> path_m) {
-    const auto mover = leaf_across(context.world, context.body.walker->size(), path_m);
+    const auto mover = leaf_across(context.world, context.avatar.walker->size(), path_m);
     if (!mover) return {};
     return passage_name(context, navigation::PassageKind::Door, context.world.scene->movers[*mover].feature, 0.0);
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/world/body_heights.h"
 #include "app/core/world/surroundings.h"
 #include "worlds/base/human_measures.h"
@@ -17,7 +17,7 @@ constexpr double kPassedWithin_m = 1.6;  // largest distance from the walker's c
 constexpr double kEnds_m = 0.4;  // doors within this distance of either end of a leg are not announced as passed
 constexpr int kMostPassed = 4;
 constexpr double kLandmark_m = 1.5;    // largest distance from the end of the leg to a landmark
-constexpr double kWallBeside_m = 0.9;  // largest distance from the walker's centre to a wall, about an arm's length
+constexpr double kWallNextTo_m = 0.9;  // largest distance from the walker's centre to a wall, about an arm's length
 constexpr double kWallLeast_m = 2.8;   // a shorter wall is not worth trailing
 constexpr double kLookedEvery_m = 0.7;
 
@@ -85,7 +85,7 @@ std::string wall_clue(const SessionContext& context, const Line& line) {
         for (double at_m = 0.0; at_m <= line.length_m && all; at_m += kLookedEvery_m) {
             const Vec3 from = line.from_m + line.ahead * at_m + Vec3(0.0, 0.0, kWaist_m);
             const TraceHit hit =
-                context.world.solids->trace(from, from + line.right * (side * kWallBeside_m), WalkerShape{}, true);
+                context.world.solids->trace(from, from + line.right * (side * kWallNextTo_m), WalkerShape{}, true);
             const Feature* met = hit.hit ? context.world.scene->find(hit.feature) : nullptr;
             all = met && met->kind == FeatureKind::Wall;
         }

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <vector>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/wayfinding/leaf_ahead.h"
 #include "app/core/wayfinding/leg_clues.h"
-#include "app/core/world/body_meets.h"
 #include "app/core/world/questions.h"
+#include "app/core/world/walker_meets.h"
 #include "worlds/base/language.h"
 
 namespace handrail::core {
@@ -88,11 +88,11 @@ Walked walk(const DirectionsFloor& floor, const LegAt& at, const navigation::Doo
 }
 
 // Adds the flight of stairs that the leg crosses, if there is one.
-void tell_flight(SpokenLeg& told, const DirectionsFloor& floor, const Walked& walked) {
+void add_flight(SpokenLeg& spoken, const DirectionsFloor& floor, const Walked& walked) {
     if (walked.risers < 2) return;
-    told.risers = walked.risers;
-    told.up = walked.paced.rise_m > 0.0;
-    told.to_stairs = static_cast<int>(std::lround(walked.to_stairs_m / floor.step_m));
+    spoken.risers = walked.risers;
+    spoken.up = walked.paced.rise_m > 0.0;
+    spoken.to_stairs = static_cast<int>(std::lround(walked.to_stairs_m / floor.step_m));
 }
 
 std::string door_words(const SessionContext& context, const navigation::DirectionsDoor& door, bool shut) {
@@ -136,43 +136,44 @@ std::string leg_words(const SpokenLeg& leg, const DistanceWords& how) {
 
 SpokenLeg spoken_leg(const SessionContext& context, const DirectionsFloor& floor, const LegAt& at,
                      const navigation::DoorsOpen& open) {
-    SpokenLeg told;
-    told.end = at.leg.end;
+    SpokenLeg spoken;
+    spoken.end = at.leg.end;
     const int turn = ((at.notch - at.from_notch) % navigation::kNotches + navigation::kNotches) % navigation::kNotches;
-    told.turn_notches = turn > navigation::kNotches / 2 ? turn - navigation::kNotches : turn;
-    told.to = at.goal;
+    spoken.turn_notches = turn > navigation::kNotches / 2 ? turn - navigation::kNotches : turn;
+    spoken.to = at.goal;
     const navigation::DirectionsDoor* door =
         at.leg.door == navigation::kNothing ? nullptr : &floor.ground.doors()[at.leg.door];
     if (door) {
         const bool shut = !open[at.leg.door];
-        told.to = door_words(context, *door, shut);
-        told.open = shut && context.world.scene->movers[door->mover].by_hand;
-        told.by_itself = shut && !told.open;
+        spoken.to = door_words(context, *door, shut);
+        spoken.open = shut && context.world.scene->movers[door->mover].by_hand;
+        spoken.by_itself = shut && !spoken.open;
     }
     if (at.leg.end == navigation::PaceEnd::Steps) {
-        told.steps = std::max(1, static_cast<int>(std::lround(counted_left(floor, at))));
-        const Walked walked = walk(floor, at, open, told.steps * floor.step_m);
-        told.leaf = leaf_ahead(context, walked.path_m);
-        tell_flight(told, floor, walked);
-        told.clue = leg_clue(context, floor, at.from_m, at.leg.to_m, at.notch, at.leg.door);
-        return told;
+        spoken.steps = std::max(1, static_cast<int>(std::lround(counted_left(floor, at))));
+        const Walked walked = walk(floor, at, open, spoken.steps * floor.step_m);
+        spoken.leaf = leaf_ahead(context, walked.path_m);
+        add_flight(spoken, floor, walked);
+        spoken.clue = leg_clue(context, floor, at.from_m, at.leg.to_m, at.notch, at.leg.door);
+        return spoken;
     }
     const Walked walked = walk(floor, at, open);
-    told.leaf = leaf_ahead(context, walked.path_m);
+    spoken.leaf = leaf_ahead(context, walked.path_m);
     if (at.leg.end == navigation::PaceEnd::Stairs) {
-        told.up = at.leg.rise_m > 0.0;
-        told.risers = walked.risers >= 2 ? walked.risers : 0;
-        told.steps = static_cast<int>(std::lround(walked.to_stairs_m / floor.step_m));
-        return told;
+        spoken.up = at.leg.rise_m > 0.0;
+        spoken.risers = walked.risers >= 2 ? walked.risers : 0;
+        spoken.steps = static_cast<int>(std::lround(walked.to_stairs_m / floor.step_m));
+        return spoken;
     }
-    told.steps = std::max(1, static_cast<int>(std::lround(walked.paced.walked_m / floor.step_m)));
-    tell_flight(told, floor, walked);
+    spoken.steps = std::max(1, static_cast<int>(std::lround(walked.paced.walked_m / floor.step_m)));
+    add_flight(spoken, floor, walked);
     if (!door && walked.body.span != navigation::kNothing)
-        if (const auto met = body_meets(*context.world.solids, floor.ground.feet_m(walked.body),
-                                        context.body.walker->size(), navigation::notch_heading_rad(at.notch), kMeets_m))
-            told.to = name_of(context, met->feature);
-    if (!door && told.to == at.goal) told.to.clear();
-    return told;
+        if (const auto met =
+                walker_meets(*context.world.solids, floor.ground.feet_m(walked.body), context.avatar.walker->size(),
+                             navigation::notch_heading_rad(at.notch), kMeets_m))
+            spoken.to = name_of(context, met->feature);
+    if (!door && spoken.to == at.goal) spoken.to.clear();
+    return spoken;
 }
 
 bool leg_is_over(const DirectionsFloor& floor, const LegAt& at, const navigation::DoorsOpen& open) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/world/questions.h"
 #include "worlds/base/language.h"
 #include "worlds/navigation/stated_rooms.h"
@@ -59,13 +59,13 @@ void RouteDirections::plan(bool in_parts) {
     awaited_ = Awaited::Nothing;
     const std::shared_ptr<const DirectionsFloor> floor = ground_.floor();
     wanted_ = !floor && ground_.awaited();
-    state_ = floor || wanted_ ? State::Planned : State::NoWay;
+    state_ = floor || wanted_ ? State::Planned : State::NoRoute;
     if (!floor) return;
     Planned planned;
     planned.floor = floor;
     planned.goal = way_.floor == floor ? way_.goal : nullptr;
-    planned.from_m = context_.body.feet_m();
-    planned.notch = navigation::nearest_notch(context_.body.heading_goal_rad);
+    planned.from_m = context_.avatar.feet_m();
+    planned.notch = navigation::nearest_notch(context_.avatar.heading_goal_rad);
     planned.open = ground_.open_now(*floor);
     planning_.begin([planned = std::move(planned), in_parts, room = room_,
                      middle_m = rooms_.graph().rooms[room_].middle_m,
@@ -95,8 +95,8 @@ void RouteDirections::plan_rest() {
 void RouteDirections::take(Planned planned) {
     way_ = std::move(planned);
     at_ = 0;
-    looked_m_ = context_.body.feet_m() + Vec3(2.0 * kLooked_m, 0.0, 0.0);
-    state_ = way_.route && !way_.route->legs.empty() ? State::Known : State::NoWay;
+    looked_m_ = context_.avatar.feet_m() + Vec3(2.0 * kLooked_m, 0.0, 0.0);
+    state_ = way_.route && !way_.route->legs.empty() ? State::Known : State::NoRoute;
     if (state_ == State::Known && !way_.route->whole) plan_rest();
 }
 
@@ -123,8 +123,8 @@ RouteDirections::News RouteDirections::tick() {
         if (auto planned = planning_.take()) news.planned = take_rest(std::move(*planned));
     }
     if (state_ != State::Known) return news;
-    const Vec3& feet_m = context_.body.feet_m();
-    if (glm::length(feet_m - looked_m_) < kLooked_m || !context_.body.walker->state().on_ground) return news;
+    const Vec3& feet_m = context_.avatar.feet_m();
+    if (glm::length(feet_m - looked_m_) < kLooked_m || !context_.avatar.walker->state().on_ground) return news;
     looked_m_ = feet_m;
     const navigation::BlindWalker body = way_.floor->ground.body_at(feet_m);
     news.arrived = body.span != navigation::kNothing && (*way_.goal)[body.span] != 0 && in_outline(feet_m);
@@ -155,8 +155,8 @@ LegAt RouteDirections::leg_at(std::size_t which) const {
     at.notch = ((notch % navigation::kNotches) + navigation::kNotches) % navigation::kNotches;
     at.planned_from_m = which == 0 ? way_.from_m : legs[which - 1].to_m;
     if (way_.route->whole && which + 1 == legs.size()) at.goal = goal_;
-    at.from_m = context_.body.feet_m();
-    at.from_notch = navigation::nearest_notch(context_.body.heading_goal_rad);
+    at.from_m = context_.avatar.feet_m();
+    at.from_notch = navigation::nearest_notch(context_.avatar.heading_goal_rad);
     return at;
 }
 
@@ -182,24 +182,24 @@ bool RouteDirections::holds() const {
     return planner.try_out(left, first.from_m, heading_rad, *way_.goal, open, errors, kTried, 1) >= wanted * kTried;
 }
 
-std::string RouteDirections::tell() {
+std::string RouteDirections::directions() {
     if (state_ != State::Known) return {};
     const LegAt leg = leg_at(at_);
-    SpokenLeg told = spoken_leg(context_, *way_.floor, leg, open_now());
+    SpokenLeg spoken = spoken_leg(context_, *way_.floor, leg, open_now());
     // The grid for planning is coarser than the walker. In a plan, the walker may slide past an obstacle that stops the
     // real walker. To prevent the same leg from being announced again and again, the spoken directions end here.
-    if (stopped_on(leg) && told.leaf.empty() && !begin_with_door(told)) {
+    if (stopped_on(leg) && spoken.leaf.empty() && !begin_with_door(spoken)) {
         stop();
-        state_ = State::NoWay;
+        state_ = State::NoRoute;
         return {};
     }
-    return leg_words(told, distances(context_));
+    return leg_words(spoken, distances(context_));
 }
 
 void RouteDirections::note_stop(FeatureId by) {
     if (state_ != State::Known) return;
     const Feature* const met = context_.world.scene->find(by);
-    Stop stop{context_.body.feet_m(), context_.body.heading_rad};
+    Stop stop{context_.avatar.feet_m(), context_.avatar.heading_rad};
     if (met && met->kind == FeatureKind::Door) stop.door = by;
     if (stopped_ && stop.door && stopped_->door == stop.door) stop.times = stopped_->times + 1;
     stopped_ = stop;
@@ -249,7 +249,7 @@ std::string RouteDirections::leg() {
     while (at_ < last && !waits_for_door(at_) && is_over(leg_at(at_))) ++at_;
     if (!way_.route->whole && !waits_for_door(at_) && is_over(leg_at(at_))) return await(Awaited::NextLeg);
     if (!holds()) plan();
-    return tell();
+    return directions();
 }
 
 std::string RouteDirections::await(Awaited what) {
@@ -265,7 +265,7 @@ std::string RouteDirections::next_leg() {
     if (!shut && !way_.route->whole && at_ + 1 == way_.route->legs.size()) return await(Awaited::NextLeg);
     if (!shut) ++at_;
     if (at_ >= way_.route->legs.size() || !holds()) plan();
-    return tell();
+    return directions();
 }
 
 std::vector<std::string> RouteDirections::rest() {

@@ -27,8 +27,8 @@ public:
     // - None: there is no route.
     // - Planned: the route is being planned.
     // - Known: at least its first legs can be announced.
-    // - NoWay: there are no spoken directions for a route.
-    enum class State : std::uint8_t { None, Planned, Known, NoWay };
+    // - NoRoute: there are no spoken directions for a route.
+    enum class State : std::uint8_t { None, Planned, Known, NoRoute };
     State state() const { return state_; }
     bool at_work() const { return state_ == State::Planned || state_ == State::Known; }
     // Returns true while legs that the person requested are being planned. News::planned reports when they are ready.
@@ -80,7 +80,7 @@ private:
     bool begin_with_door(SpokenLeg& leg) const;
     bool in_outline(const Vec3& feet_m) const;
     bool holds() const;
-    std::string tell();
+    std::string directions();
     navigation::DoorsOpen open_now() const { return ground_.open_now(*way_.floor); }
 
     Rooms& rooms_;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/core/context/telling.h"
-#include "app/core/wayfinding/hand_way.h"
+#include "app/core/context/context_words.h"
+#include "app/core/wayfinding/hand_path.h"
 #include "app/core/world/surroundings.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
@@ -65,7 +65,7 @@ HandRoute RoutePlans::for_hand(const Goal& goal, std::size_t most_points) {
     // The hand follows the saved route, even if another route is shorter.
     const bool along_kept = runs_to(goal.name) && by_hand();
     const bool stops_first = along_kept && run_->next < run_->goal();
-    if (!stops_first && ball_passes(solids, from, on_thing, goal.feature)) {
+    if (!stops_first && proxy_passes(solids, from, on_thing, goal.feature)) {
         way.points_m = straight;
         return way;
     }
@@ -88,7 +88,7 @@ HandRoute RoutePlans::for_hand(const Goal& goal, std::size_t most_points) {
         if (passage.kind == navigation::PassageKind::Door || passage.kind == navigation::PassageKind::Stairs)
             way.passes.push_back(passage_name(context_, passage.kind, passage.feature, passage.rise_m));
     const double height_m = std::clamp(context_.settings.workspace.hand_height_m, kLowest_m, kHighest_m);
-    way.points_m = hand_way(route, from, height_m, solids, goal.box_m, goal.feature, most_points);
+    way.points_m = path_of_hand(route, from, height_m, solids, goal.box_m, goal.feature, most_points);
     return way;
 }
 

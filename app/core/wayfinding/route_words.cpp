@@ -10,7 +10,7 @@ namespace handrail::core {
 namespace {
 
 constexpr double kLeastTurn_rad = 2.0 * kPi / 16.0;
-constexpr double kBesideFeature_m = 1.0;
+constexpr double kNextToFeature_m = 1.0;
 
 double bearing(const Vec3& from, const Vec3& to) { return std::atan2(to.x - from.x, to.y - from.y); }
 
@@ -42,7 +42,7 @@ std::vector<RouteNode> nodes_of(const navigation::Route& route, const std::strin
         if (at > route.length_m) at = route.length_m;
         RouteNode* beside = nullptr;
         for (RouteNode& node : nodes)
-            if (std::abs(node.at_m - at) < kBesideFeature_m &&
+            if (std::abs(node.at_m - at) < kNextToFeature_m &&
                 (!beside || std::abs(node.at_m - at) < std::abs(beside->at_m - at)))
                 beside = &node;
         if (beside) beside->turn_rad = wrap_angle(beside->turn_rad + turn);
@@ -99,7 +99,7 @@ std::vector<Vec3> RouteFollower::ahead_m() const {
 RouteFollower::Said RouteFollower::tick(const Vec3& feet_m, const DistanceWords& how, const There& there) {
     Said said;
     if (!following()) return said;
-    const navigation::RoutePlace place = navigation::near_on_way(route_.points_m, feet_m, along_m_);
+    const navigation::RoutePlace place = navigation::near_on_path(route_.points_m, feet_m, along_m_);
     const double nearest =
         place.distance_m + navigation::kFartherForEachMetreAlong_m * std::abs(place.along_m - along_m_);
     along_m_ = place.along_m;

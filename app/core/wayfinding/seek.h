@@ -43,7 +43,7 @@ public:
     bool tick_beacon(double now_s);
     bool tick_warmer(double now_s);
     // Announces again how both tools guide now, because a line about that was cut off.
-    void tell_anew(double now_s);
+    void announce_anew(double now_s);
 
     const Beacon& beacon() const { return beacon_; }
     const Warmer& warmer() const { return warmer_; }
@@ -55,10 +55,10 @@ private:
     bool keep(AlongRoute& along, const Sought& sought, bool hand, double now_s);
     Vec3 from_m(bool hand) const;
     bool straight_before(const SoughtRoute& way, const Sought& sought, bool hand) const;
-    bool body_gets_to(const Sought& sought) const;
-    TraceHit met_on_way(const Vec3& soles_m) const;
+    bool walker_gets_to(const Sought& sought) const;
+    TraceHit met_on_route(const Vec3& soles_m) const;
     std::string words(AlongRoute& along, const Sought& sought, bool hand, double now_s);
-    void tell_way(const AlongRoute& along, double now_s);
+    void announce_route(const AlongRoute& along, double now_s);
     std::optional<Vec3> beacon_turning(double now_s);
 
     Rooms& rooms_;

@@ -20,7 +20,7 @@ double turn_between(const Vec3& before, const Vec3& after) {
 void SoughtRoute::plan(std::vector<Vec3> points_m, const std::vector<navigation::RoutePassage>& passages, double tail_m,
                        const Vec3& at_m, double now_s) {
     const bool goes_on = known();
-    const double told_before_m = goes_on ? told_m() : 0.0;
+    const double announced_before_m = goes_on ? announced_m() : 0.0;
     points_m_ = std::move(points_m);
     planned_s_ = now_s;
     seen_ = true;
@@ -42,10 +42,10 @@ void SoughtRoute::plan(std::vector<Vec3> points_m, const std::vector<navigation:
     at_m_ = at_m;
     if (!known()) return;
     off_m_ = glm::length(at_m - points_m_.front());
-    if (goes_on) eased_m_ = told_before_m - left_m();
+    if (goes_on) eased_m_ = announced_before_m - left_m();
 }
 
-void SoughtRoute::no_way(double now_s) { plan({}, {}, 0.0, Vec3(0.0), now_s); }
+void SoughtRoute::no_route(double now_s) { plan({}, {}, 0.0, Vec3(0.0), now_s); }
 
 bool SoughtRoute::wants_plan(bool changed, double now_s) const {
     if (!tried_) return true;
@@ -55,8 +55,8 @@ bool SoughtRoute::wants_plan(bool changed, double now_s) const {
 void SoughtRoute::follow(const Vec3& at_m, double height_counts, const std::function<bool(const Vec3&)>& sees) {
     if (!known()) return;
     const navigation::RoutePlace place =
-        navigation::near_on_way(points_m_, at_m, along_m_, height_counts,
-                                [&](const Vec3& on_way_m) { return seen_ = !sees || sees(on_way_m); });
+        navigation::near_on_path(points_m_, at_m, along_m_, height_counts,
+                                 [&](const Vec3& on_route_m) { return seen_ = !sees || sees(on_route_m); });
     const double went_m = glm::length(at_m - at_m_);
     along_m_ = place.along_m;
     off_m_ = place.distance_m;

@@ -37,22 +37,22 @@ public:
     void plan(std::vector<Vec3> points_m, const std::vector<navigation::RoutePassage>& passages, double tail_m,
               const Vec3& at_m, double now_s);
     // Call it if planning found no route, or if the person is straight in front of the thing.
-    void no_way(double now_s);
+    void no_route(double now_s);
     bool known() const { return points_m_.size() >= 2; }
     bool tried() const { return tried_; }
     // Returns true if no route has been planned for this request or the person has left it, and the last attempt is not
     // too recent. `changed` is true if something in the world has moved.
     bool wants_plan(bool changed, double now_s) const;
 
-    // Updates the position of the person. near_on_way() explains `height_counts` and `sees`. A jump is not treated as a
-    // movement.
+    // Updates the position of the person. near_on_path() explains `height_counts` and `sees`. A jump is not treated as
+    // a movement.
     void follow(const Vec3& at_m, double height_counts, const std::function<bool(const Vec3&)>& sees);
     double off_m() const { return off_m_; }
     // Returns the distance to the thing along the route. Near the route, the sideways distance adds only little, with a
     // smooth transition. So after a movement sideways, the person is neither nearer nor farther.
     double left_m() const { return back_m() + length_m_ - along_m_ + tail_m_; }
     // Returns the same distance as left_m(), but without a jump when the route is planned again.
-    double told_m() const { return left_m() + eased_m_; }
+    double announced_m() const { return left_m() + eased_m_; }
     // Returns the next turning, door or flight of stairs, or the end of the route if there is none.
     Vec3 next_turning_m() const;
     Vec3 ahead_m(double by_m) const;

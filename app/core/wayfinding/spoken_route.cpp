@@ -10,7 +10,7 @@
 #include "app/core/kept/saved_routes.h"
 #include "app/core/wayfinding/leaf_ahead.h"
 #include "app/core/wayfinding/leg.h"
-#include "app/core/wayfinding/way_words.h"
+#include "app/core/wayfinding/whole_route_words.h"
 #include "app/core/whereabouts/climbs.h"
 #include "worlds/base/language.h"
 #include "worlds/navigation/reach.h"
@@ -30,24 +30,24 @@ constexpr double kWorthTurningBack = 1.15;
 }  // namespace
 
 void SpokenRoute::follow_to(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s) {
-    follow(rooms_.navigation().plan(context_.body.feet_m(), goal_m), name, first, now_s);
+    follow(rooms_.navigation().plan(context_.avatar.feet_m(), goal_m), name, first, now_s);
 }
 
 void SpokenRoute::stop() {
     follower_.stop();
-    word_.stop();
+    directions_.stop();
     room_.reset();
-    told_.reset();
+    announced_.reset();
     stopped_.reset();
-    wish_ = navigation::RouteWish::Safest;
-    faces_ = rest_asked_ = false;
+    preference_ = navigation::RoutePreference::Safest;
+    faces_ = rest_requested_ = false;
 }
 
 SpokenRoute::RoomRoute SpokenRoute::route_to(std::uint32_t room) const {
-    const Vec3 from_m = context_.body.feet_m(),
+    const Vec3 from_m = context_.avatar.feet_m(),
                to_m = navigation::goal_in_room(rooms_.navigation(), rooms_.graph(), room, from_m);
     // Directions leg by leg are impossible for a door that waits for a button.
-    const auto told_by_legs = [&](const navigation::Route& way) {
+    const auto describable_by_legs = [&](const navigation::Route& way) {
         return way.reaches && way.points_m.size() > 1 &&
                std::all_of(way.passages.begin(), way.passages.end(), [&](const navigation::RoutePassage& passage) {
                    return (passage.kind == navigation::PassageKind::Door ||
@@ -57,12 +57,12 @@ SpokenRoute::RoomRoute SpokenRoute::route_to(std::uint32_t room) const {
                });
     };
     navigation::Route route = rooms_.navigation().plan(from_m, to_m);
-    if (told_by_legs(route)) return {std::move(route), true};
+    if (describable_by_legs(route)) return {std::move(route), true};
     // Directions leg by leg are more reliable than a lift, so stairs are preferred if the route over them is not much
     // longer.
     if (route.reaches) {
-        navigation::Route foot = rooms_.navigation().plan(from_m, to_m, navigation::RouteWish::OnFoot);
-        if (told_by_legs(foot) && foot.length_m < kLongerOnFoot * route.length_m + kLongerOnFoot_m)
+        navigation::Route foot = rooms_.navigation().plan(from_m, to_m, navigation::RoutePreference::OnFoot);
+        if (describable_by_legs(foot) && foot.length_m < kLongerOnFoot * route.length_m + kLongerOnFoot_m)
             return {std::move(foot), true};
     }
     return {std::move(route), false};
@@ -78,15 +78,15 @@ bool SpokenRoute::follow_to_room(std::uint32_t room, const std::string& first, d
     };
     if (!by_legs) return follow_whole();
     stop();
-    wish_ = navigation::RouteWish::OnFoot;
-    word_.begin(room, name);
-    if (!word_.at_work()) return follow_whole();
+    preference_ = navigation::RoutePreference::OnFoot;
+    directions_.begin(room, name);
+    if (!directions_.at_work()) return follow_whole();
     room_ = room;
     std::string words = first.empty() ? first : first + ' ';
     words += phrase("rooms.way", {{"goal", name}, {"route", overview_words(context_, rooms_, route)}});
-    if (const std::string leg = word_.leg(); !leg.empty()) words += ' ' + leg;
-    context_.tell(cues::SpeechTopic::Summary, std::move(words), now_s);
-    context_.events.tell(Led{name, LedBy::Ear}, now_s);
+    if (const std::string leg = directions_.leg(); !leg.empty()) words += ' ' + leg;
+    context_.announce(cues::SpeechTopic::Summary, std::move(words), now_s);
+    context_.events.report(Led{name, LedBy::Ear}, now_s);
     to_nearest_ = false;
     follow_silently(std::move(route), name);
     return true;
@@ -103,7 +103,7 @@ void SpokenRoute::follow_again(const std::string& first, double now_s) {
 // Follows a route without announcing it. The route on display changes.
 void SpokenRoute::follow_silently(navigation::Route route, const std::string& goal) {
     name_ = goal;
-    told_.reset();
+    announced_.reset();
     plans_.know(route.points_m);
     planned_in_ = context_.world.scene;
     // If the person already stands at the goal, the route has only one point. A second point is added, because a route
@@ -135,9 +135,9 @@ bool SpokenRoute::follow(navigation::Route route, const std::string& name, const
         goal = phrase("rooms.nearest_place_to", {{"goal", name}});
     }
     const std::vector<RouteNode> nodes = nodes_to(context_, route, goal);
-    const std::string how = route_words(route, nodes, context_.body.heading_rad, distances(context_));
-    context_.tell(cues::SpeechTopic::Summary, words + phrase("rooms.way", {{"goal", goal}, {"route", how}}), now_s);
-    context_.events.tell(Led{goal, LedBy::Ear}, now_s);
+    const std::string how = route_words(route, nodes, context_.avatar.heading_rad, distances(context_));
+    context_.announce(cues::SpeechTopic::Summary, words + phrase("rooms.way", {{"goal", goal}, {"route", how}}), now_s);
+    context_.events.report(Led{goal, LedBy::Ear}, now_s);
     to_nearest_ = !route.reaches;
     follow_silently(std::move(route), goal);
     return !to_nearest_;
@@ -147,26 +147,26 @@ void SpokenRoute::renew() {
     if (std::exchange(planned_in_, context_.world.scene) == context_.world.scene ||
         !rooms_.navigation().meets_leaf(follower_.ahead_m()))
         return;
-    const Vec3& feet_m = context_.body.feet_m();
+    const Vec3& feet_m = context_.avatar.feet_m();
     navigation::Route route =
-        plans_.runs_to(name_) ? plans_.on(feet_m) : rooms_.navigation().plan(feet_m, follower_.goal_m(), wish_);
+        plans_.runs_to(name_) ? plans_.on(feet_m) : rooms_.navigation().plan(feet_m, follower_.goal_m(), preference_);
     if (!route.reaches || route.points_m.size() < 2) return;
     follow_silently(std::move(route), std::string(name_));
 }
 
-void SpokenRoute::tell_on(double now_s) { context_.answer(on_words(), now_s); }
+void SpokenRoute::announce_onward(double now_s) { context_.answer(on_words(), now_s); }
 
 std::string SpokenRoute::on_words() {
     if (!follower_.following()) return phrase("way.none");
-    const Vec3& feet_m = context_.body.feet_m();
+    const Vec3& feet_m = context_.avatar.feet_m();
     const auto leg = next_leg(planned(), feet_m, 0.5 * context_.settings.walk.step_length_m);
     if (!leg) return phrase("way.no_floor");
-    told_ = leg->route;
+    announced_ = leg->route;
     const Vec3 off = leg->to_m - feet_m;
     const navigation::Route& route = leg->route;
     const std::string where = where_words(context_, std::hypot(off.x, off.y), std::atan2(off.x, off.y)),
                       all = sentence_case(distance_words(route.length_m, distances(context_)));
-    std::string leaf = leaf_in_way(leg->to_m);
+    std::string leaf = leaf_on_route(leg->to_m);
     if (!leaf.empty()) leaf = " " + capitalised(phrase("leg.leaf_in_way", {{"door", leaf}}));
     for (const navigation::RoutePassage& passage : route.passages)
         if (passage.at_m < leg->along_m + 1.0) {
@@ -188,18 +188,18 @@ std::string SpokenRoute::on_words() {
 }
 
 void SpokenRoute::note_stop(FeatureId by) {
-    word_.note_stop(by);
+    directions_.note_stop(by);
     const int times = stopped_ && stopped_->by == by ? stopped_->times + 1 : 1;
-    stopped_ = Stop{by, context_.body.feet_m(), context_.body.heading_rad, times};
+    stopped_ = Stop{by, context_.avatar.feet_m(), context_.avatar.heading_rad, times};
 }
 
 // Returns the door whose leaf blocks the straight line to `to_m`, or whose leaf has just stopped the walker here. A
 // leaf that meets only a shoulder also blocks, even if the plan passes that leaf. The text is empty if there is no such
 // leaf, or if the leaf has stopped the walker so often that it cannot be the only cause.
-std::string SpokenRoute::leaf_in_way(const Vec3& to_m) const {
+std::string SpokenRoute::leaf_on_route(const Vec3& to_m) const {
     constexpr double kHere_m = 0.25, kThatWay_rad = 0.8;
     constexpr int kMostTimes = 4;
-    const Vec3& feet_m = context_.body.feet_m();
+    const Vec3& feet_m = context_.avatar.feet_m();
     std::string leaf = leaf_ahead(context_, std::array{feet_m, to_m});
     if (!leaf.empty() || !stopped_ || stopped_->times > kMostTimes || glm::length(stopped_->at_m - feet_m) > kHere_m ||
         std::abs(wrap_angle(std::atan2(to_m.x - feet_m.x, to_m.y - feet_m.y) - stopped_->heading_rad)) > kThatWay_rad)
@@ -214,7 +214,7 @@ std::string SpokenRoute::leaf_in_way(const Vec3& to_m) const {
 
 // Returns true if the person stands near enough to these stairs to climb them with a key.
 bool SpokenRoute::stands_at(const navigation::RoutePassage& passage) const {
-    const Vec3 off = passage.place_m - context_.body.feet_m();
+    const Vec3 off = passage.place_m - context_.avatar.feet_m();
     return std::hypot(off.x, off.y) < Climbs::kAtEnd_m;
 }
 
@@ -228,19 +228,20 @@ std::optional<navigation::RoutePassage> SpokenRoute::climb_here() const {
 
 // Returns true if the person stands in this lift, which does not move automatically.
 bool SpokenRoute::stands_in(const navigation::RoutePassage& passage) const {
-    return passage.kind == navigation::PassageKind::Lift && passage.feature && context_.body.ground == passage.feature;
+    return passage.kind == navigation::PassageKind::Lift && passage.feature &&
+           context_.avatar.ground == passage.feature;
 }
 
 // Plans the rest of the route from here. If the new route leads back against the old one and is not much shorter,
 // returns the old one. Otherwise, if two routes are equally long, each plan might choose the other one, and the person
 // would walk to and fro.
 navigation::Route SpokenRoute::planned() const {
-    const Vec3& feet_m = context_.body.feet_m();
+    const Vec3& feet_m = context_.avatar.feet_m();
     if (plans_.runs_to(name_)) return plans_.looked_at(feet_m);
-    navigation::Route anew = rooms_.navigation().plan(feet_m, follower_.goal_m(), wish_);
-    const navigation::Route& followed = told_ ? *told_ : follower_.route();
+    navigation::Route anew = rooms_.navigation().plan(feet_m, follower_.goal_m(), preference_);
+    const navigation::Route& followed = announced_ ? *announced_ : follower_.route();
     const navigation::RoutePlace here =
-        navigation::near_on_way(followed.points_m, feet_m, told_ ? 0.0 : follower_.along_m());
+        navigation::near_on_path(followed.points_m, feet_m, announced_ ? 0.0 : follower_.along_m());
     const double ahead_m = here.along_m + kTakenUpAhead_m;
     if (here.distance_m > kLeftWay_m || ahead_m >= followed.length_m || anew.points_m.size() < 2) return anew;
     const Vec3 on_m = navigation::place_along(followed.points_m, ahead_m);
@@ -248,7 +249,7 @@ navigation::Route SpokenRoute::planned() const {
     const auto leg = next_leg(anew, feet_m, least_m);
     const Vec3 back = leg->to_m - feet_m, on = on_m - feet_m;
     if (back.x * on.x + back.y * on.y >= 0.0 || rooms_.navigation().meets_leaf(follower_.ahead_m())) return anew;
-    navigation::Route kept = rooms_.navigation().plan(feet_m, on_m, wish_);
+    navigation::Route kept = rooms_.navigation().plan(feet_m, on_m, preference_);
     if (!kept.reaches) return anew;
     kept = joined(std::move(kept), rest_of(followed, ahead_m));
     return kept.length_m < kWorthTurningBack * anew.length_m ? kept : anew;
@@ -256,86 +257,86 @@ navigation::Route SpokenRoute::planned() const {
 
 // Announces `words`. If `words` is empty because directions are still being planned, says that instead. A later tick
 // announces the directions.
-void SpokenRoute::tell(const std::string& words, cues::SpeechTopic topic, double now_s) {
-    if (!words.empty()) return context_.tell(topic, words, now_s, {.answers = true, .place_m = leg_place_m()});
-    if (word_.at_work()) return context_.answer(phrase("leg.looks"), now_s);
-    if (!follower_.following()) return tell_on(now_s);
+void SpokenRoute::announce(const std::string& words, cues::SpeechTopic topic, double now_s) {
+    if (!words.empty()) return context_.announce(topic, words, now_s, {.answers = true, .place_m = leg_place_m()});
+    if (directions_.at_work()) return context_.answer(phrase("leg.looks"), now_s);
+    if (!follower_.following()) return announce_onward(now_s);
     // There are no further directions leg by leg, so the whole route is announced, as for a guided hand.
     if (navigation::Route route = planned(); route.reaches && route.points_m.size() > 1)
         follow_silently(std::move(route), std::string(name_));
-    tell_on(now_s);
+    announce_onward(now_s);
 }
 
-void SpokenRoute::tell_leg(double now_s) {
-    rest_asked_ = false;
-    if (!follower_.following() || !word_.at_work()) return tell_on(now_s);
-    tell(word_.leg(), cues::SpeechTopic::Leg, now_s);
+void SpokenRoute::announce_leg(double now_s) {
+    rest_requested_ = false;
+    if (!follower_.following() || !directions_.at_work()) return announce_onward(now_s);
+    announce(directions_.leg(), cues::SpeechTopic::Leg, now_s);
 }
 
-void SpokenRoute::tell_leg_unasked(std::string words, bool anew, double now_s) {
+void SpokenRoute::announce_leg_unprompted(std::string words, bool anew, double now_s) {
     if (words.empty()) return;
-    context_.tell(cues::SpeechTopic::Leg, std::move(words), now_s, {.anew = anew, .place_m = leg_place_m()});
+    context_.announce(cues::SpeechTopic::Leg, std::move(words), now_s, {.anew = anew, .place_m = leg_place_m()});
 }
 
 // Returns a place one metre from the ears in the direction of the announced leg.
 std::optional<Vec3> SpokenRoute::leg_place_m() const {
-    const auto heading_rad = word_.at_work() ? word_.heading_rad() : std::nullopt;
+    const auto heading_rad = directions_.at_work() ? directions_.heading_rad() : std::nullopt;
     if (!heading_rad) return std::nullopt;
-    return context_.body.ears_m() + forward_of_heading(*heading_rad);
+    return context_.avatar.ears_m() + forward_of_heading(*heading_rad);
 }
 
 // Announces again how the route continues from here, because the line about it was cut off.
-void SpokenRoute::tell_anew(cues::SpeechTopic topic, double now_s) {
+void SpokenRoute::announce_anew(cues::SpeechTopic topic, double now_s) {
     if (!follower_.following()) return;
     if (topic == cues::SpeechTopic::Leg)
-        return tell_leg_unasked(word_.at_work() ? word_.leg() : on_words(), true, now_s);
+        return announce_leg_unprompted(directions_.at_work() ? directions_.leg() : on_words(), true, now_s);
     const navigation::Route route = planned();
     if (route.points_m.size() < 2) return;
-    const std::string how = word_.at_work() ? overview_words(context_, rooms_, route)
-                                            : route_words(route, nodes_to(context_, route, name_),
-                                                          context_.body.heading_rad, distances(context_));
-    context_.tell(cues::SpeechTopic::Summary, phrase("rooms.way", {{"goal", name_}, {"route", how}}), now_s,
-                  {.anew = true});
+    const std::string how = directions_.at_work() ? overview_words(context_, rooms_, route)
+                                                  : route_words(route, nodes_to(context_, route, name_),
+                                                                context_.avatar.heading_rad, distances(context_));
+    context_.announce(cues::SpeechTopic::Summary, phrase("rooms.way", {{"goal", name_}, {"route", how}}), now_s,
+                      {.anew = true});
 }
 
-void SpokenRoute::tell_next_leg(double now_s) {
-    rest_asked_ = false;
-    if (!follower_.following() || !word_.at_work()) return tell_on(now_s);
-    tell(word_.next_leg(), cues::SpeechTopic::Leg, now_s);
+void SpokenRoute::announce_next_leg(double now_s) {
+    rest_requested_ = false;
+    if (!follower_.following() || !directions_.at_work()) return announce_onward(now_s);
+    announce(directions_.next_leg(), cues::SpeechTopic::Leg, now_s);
 }
 
-void SpokenRoute::tell_rest(double now_s) {
-    const std::vector<std::string> legs = rest_of_way();
-    rest_asked_ = legs.empty();
-    tell(fmt::format("{}", fmt::join(legs, " ")), cues::SpeechTopic::Leg, now_s);
+void SpokenRoute::announce_rest(double now_s) {
+    const std::vector<std::string> legs = rest_of_route();
+    rest_requested_ = legs.empty();
+    announce(fmt::format("{}", fmt::join(legs, " ")), cues::SpeechTopic::Leg, now_s);
 }
 
-std::vector<std::string> SpokenRoute::rest_of_way() {
+std::vector<std::string> SpokenRoute::rest_of_route() {
     if (!follower_.following()) return {};
-    if (word_.at_work()) return word_.rest();
+    if (directions_.at_work()) return directions_.rest();
     const navigation::Route route = planned();
     if (route.points_m.size() < 2 && !route.reaches) return {};
-    return {route_words(route, nodes_to(context_, route, name_), context_.body.heading_rad, distances(context_))};
+    return {route_words(route, nodes_to(context_, route, name_), context_.avatar.heading_rad, distances(context_))};
 }
 
 std::optional<double> SpokenRoute::leg_heading_rad() const {
     if (!follower_.following()) return std::nullopt;
-    if (const auto heading_rad = word_.heading_rad()) return heading_rad;
-    const Vec3& feet_m = context_.body.feet_m();
+    if (const auto heading_rad = directions_.heading_rad()) return heading_rad;
+    const Vec3& feet_m = context_.avatar.feet_m();
     const auto leg = next_leg(planned(), feet_m, 0.5 * context_.settings.walk.step_length_m);
     if (!leg) return std::nullopt;
     return std::atan2(leg->to_m.x - feet_m.x, leg->to_m.y - feet_m.y);
 }
 
 RouteFollower::Said SpokenRoute::tick(double now_s) {
-    if (word_.at_work()) return tick_words(now_s);
-    return follower_.tick(context_.body.feet_m(), distances(context_), [this](bool at_end) { return there(at_end); });
+    if (directions_.at_work()) return tick_words(now_s);
+    return follower_.tick(context_.avatar.feet_m(), distances(context_), [this](bool at_end) { return there(at_end); });
 }
 
 // Returns true if the person has arrived. If the goal is a room, the walker must stand inside it. Otherwise, the walker
 // must be at the goal, with nothing in between.
 bool SpokenRoute::there(bool at_end) const {
-    const Vec3& feet_m = context_.body.feet_m();
+    const Vec3& feet_m = context_.avatar.feet_m();
     if (room_) {
         const navigation::RoomGraph& graph = rooms_.graph();
         if (navigation::stands_inside(graph, rooms_.space(), *rooms_.file_scene(), feet_m, *room_)) return true;
@@ -348,22 +349,23 @@ bool SpokenRoute::there(bool at_end) const {
 
 RouteFollower::Said SpokenRoute::tick_words(double now_s) {
     RouteFollower::Said said;
-    const RouteDirections::News news = word_.tick();
+    const RouteDirections::News news = directions_.tick();
     if (news.planned) {
-        if (!word_.at_work()) {
+        if (!directions_.at_work()) {
             // There are no directions leg by leg, so the whole route is announced, as for a guided hand.
             const std::optional<std::uint32_t> room = room_;
             navigation::Route route = planned();
             if (follow(std::move(route), std::string(name_), {}, now_s)) room_ = room;
-            wish_ = navigation::RouteWish::OnFoot;
+            preference_ = navigation::RoutePreference::OnFoot;
             return said;
         }
         // The person requested these legs before they were planned, so they are announced now.
-        if (!rest_asked_)
-            context_.tell(cues::SpeechTopic::Leg, word_.leg(), now_s, {.answers = true, .place_m = leg_place_m()});
-        else if (!word_.rest().empty()) tell_rest(now_s);
+        if (!rest_requested_)
+            context_.announce(cues::SpeechTopic::Leg, directions_.leg(), now_s,
+                              {.answers = true, .place_m = leg_place_m()});
+        else if (!directions_.rest().empty()) announce_rest(now_s);
     }
-    tell_facing(now_s);
+    announce_facing(now_s);
     said.left = news.left;
     said.arrived = news.arrived;
     if (!news.arrived) return said;
@@ -373,13 +375,14 @@ RouteFollower::Said SpokenRoute::tick_words(double now_s) {
 }
 
 // Plays a soft tone from ahead once, when the person has turned to the direction of the leg.
-void SpokenRoute::tell_facing(double now_s) {
+void SpokenRoute::announce_facing(double now_s) {
     constexpr double kFacing_rad = 0.05, kLoudness = 0.4;
-    const auto heading_rad = word_.heading_rad();
-    const bool faces = heading_rad && std::abs(wrap_angle(*heading_rad - context_.body.heading_rad)) < kFacing_rad;
+    const auto heading_rad = directions_.heading_rad();
+    const bool faces = heading_rad && std::abs(wrap_angle(*heading_rad - context_.avatar.heading_rad)) < kFacing_rad;
     if (!std::exchange(faces_, faces) && faces) {
-        cues::CueRequest tone = sound_at(cues::SoundKind::BeaconAhead,
-                                         context_.body.ears_m() + forward_of_heading(context_.body.heading_rad), now_s);
+        cues::CueRequest tone =
+            sound_at(cues::SoundKind::BeaconAhead,
+                     context_.avatar.ears_m() + forward_of_heading(context_.avatar.heading_rad), now_s);
         tone.loudness = kLoudness;
         context_.cues.cue(std::move(tone));
     }

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "app/core/context/context_words.h"
 #include "app/core/context/session_part.h"
-#include "app/core/context/telling.h"
 #include "app/core/wayfinding/route_directions.h"
 #include "app/core/wayfinding/route_plans.h"
 #include "app/core/wayfinding/route_words.h"
@@ -17,7 +17,7 @@ namespace handrail::core {
 class SpokenRoute : SessionPart {
 public:
     SpokenRoute(const SessionContext& context, Rooms& rooms, RoutePlans& plans, DirectionsGround& ground)
-        : SessionPart(context), rooms_(rooms), plans_(plans), word_(context, rooms, ground) {}
+        : SessionPart(context), rooms_(rooms), plans_(plans), directions_(context, rooms, ground) {}
 
     // Announces the route and follows it. If the goal cannot be reached, the route leads to the nearest place that can
     // be reached, and the function returns false. `first` is announced before everything else. Call it only after the
@@ -34,8 +34,8 @@ public:
     void stop();
     bool following() const { return follower_.following(); }
     bool leads_to_room() const { return room_.has_value(); }  // returns true if the goal is a room that can be reached
-    bool plans_legs() const { return word_.awaited(); }
-    bool plans_rest() const { return word_.at_work() && !word_.whole(); }
+    bool plans_legs() const { return directions_.awaited(); }
+    bool plans_rest() const { return directions_.at_work() && !directions_.whole(); }
     // Returns the name of the goal or of the nearest place to it, as announced. The name is kept after the route has
     // ended.
     const std::string& name() const { return name_; }
@@ -43,18 +43,18 @@ public:
     const Vec3& goal_m() const { return follower_.goal_m(); }
     double along_m() const { return follower_.along_m(); }
     // Announces how far the route goes straight on, in which direction, and to what.
-    void tell_on(double now_s);
+    void announce_onward(double now_s);
     // These functions announce the present leg and the next one.
-    void tell_leg(double now_s);
-    void tell_next_leg(double now_s);
-    // tell_leg_unasked() announces what comes next without a request by the person. tell_anew() announces that or the
-    // whole route once more, because the line about the route was cut off.
-    void tell_leg_unasked(std::string words, bool anew, double now_s);
-    void tell_anew(cues::SpeechTopic topic, double now_s);
-    void tell_rest(double now_s);
-    // Returns what tell_rest() announces, one text for each leg. The result is empty if the legs are being planned or
-    // no route is followed.
-    std::vector<std::string> rest_of_way();
+    void announce_leg(double now_s);
+    void announce_next_leg(double now_s);
+    // announce_leg_unprompted() announces what comes next without a request by the person. announce_anew() announces
+    // that or the whole route once more, because the line about the route was cut off.
+    void announce_leg_unprompted(std::string words, bool anew, double now_s);
+    void announce_anew(cues::SpeechTopic topic, double now_s);
+    void announce_rest(double now_s);
+    // Returns what announce_rest() announces, one text for each leg. The result is empty if the legs are being planned
+    // or no route is followed.
+    std::vector<std::string> rest_of_route();
     // Returns the direction of the announced leg, or no value if no route is followed.
     std::optional<double> leg_heading_rad() const;
     // Call it when this feature has stopped the walker.
@@ -80,20 +80,20 @@ private:
     std::string on_words();
     std::optional<Vec3> leg_place_m() const;
     void follow_silently(navigation::Route route, const std::string& goal);
-    void tell(const std::string& words, cues::SpeechTopic topic, double now_s);
-    std::string leaf_in_way(const Vec3& to_m) const;
+    void announce(const std::string& words, cues::SpeechTopic topic, double now_s);
+    std::string leaf_on_route(const Vec3& to_m) const;
     RouteFollower::Said tick_words(double now_s);
-    void tell_facing(double now_s);
+    void announce_facing(double now_s);
 
     Rooms& rooms_;
     RoutePlans& plans_;
     RouteFollower follower_;
-    RouteDirections word_;
+    RouteDirections directions_;
     std::optional<std::uint32_t> room_;  // the room that is the goal, if it can be reached
     // OnFoot while directions leg by leg are announced, so that both plans use the same route.
-    navigation::RouteWish wish_ = navigation::RouteWish::Safest;
-    bool faces_ = false;       // true: the person faces in the direction of the announced leg
-    bool rest_asked_ = false;  // true: the person requested the rest of the route before it was planned
+    navigation::RoutePreference preference_ = navigation::RoutePreference::Safest;
+    bool faces_ = false;           // true: the person faces in the direction of the announced leg
+    bool rest_requested_ = false;  // true: the person requested the rest of the route before it was planned
     std::string name_;
     bool to_nearest_ = false;
     struct Stop {
@@ -102,9 +102,9 @@ private:
         double heading_rad = 0.0;
         int times = 1;  // consecutive stops by the same feature
     };
-    std::optional<Stop> stopped_;              // where and by what the walker was last stopped
-    std::optional<navigation::Route> told_;    // the rest of the route, as tell_on() last announced it
-    std::shared_ptr<const Scene> planned_in_;  // the scene in which the route was planned
+    std::optional<Stop> stopped_;                 // where and by what the walker was last stopped
+    std::optional<navigation::Route> announced_;  // the rest of the route, as announce_onward() last announced it
+    std::shared_ptr<const Scene> planned_in_;     // the scene in which the route was planned
 };
 
 }  // namespace handrail::core

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/core/wayfinding/finding.h"
-#include "app/core/wayfinding/hand_way.h"
+#include "app/core/wayfinding/hand_path.h"
 #include "app/core/world/body_heights.h"
 #include "audio-cues/plan/speakable.h"
 #include "worlds/base/language.h"
@@ -28,14 +28,14 @@ std::vector<Goal> goals(const SessionContext& context) {
     for (const Mark& mark : context.world.marks) all.push_back({mark.name, point_box(mark.place_m), kNoFeature});
     for (NamedThing& thing : named_things(*context.world.scene))
         all.push_back({sentence_case(cues::speakable(thing.name)), thing.bounds_m, thing.feature});
-    const Vec3 here = context.body.feet_m() + Vec3(0.0, 0.0, kWaist_m);
+    const Vec3 here = context.avatar.feet_m() + Vec3(0.0, 0.0, kWaist_m);
     std::stable_sort(all.begin(), all.end(), [&](const Goal& a, const Goal& b) {
         return glm::length(nearest_place(a.box_m, here) - here) < glm::length(nearest_place(b.box_m, here) - here);
     });
     return all;
 }
 
-Aabb told_box(const Rooms& rooms, const Goal& goal) {
+Aabb announced_box(const Rooms& rooms, const Goal& goal) {
     if (!rooms.found() || goal.feature == kNoFeature) return goal.box_m;
     for (const navigation::Portal& portal : rooms.graph().portals)
         if (portal.kind == navigation::PassageKind::Door && portal.feature == goal.feature)
@@ -99,7 +99,7 @@ Goal goal_of(const SessionContext& context, const Stop& stop) {
 }
 
 void PlannedStops::note(const Stop& stop, const Vec3& from_m) {
-    const Vec3 here = rooms_.navigation().nearest_place(from_m).value_or(context_.body.feet_m());
+    const Vec3 here = rooms_.navigation().nearest_place(from_m).value_or(context_.avatar.feet_m());
     const Stop begin = stop_at_place(rooms_, here, phrase("ways.begin"));
     const bool goes_on = !stops_.empty() && near_stop(stops_.back(), here, kGoesOn_m);
     const bool from_there = !chosen_.empty() && glm::length(chosen_at_m_ - here) < kGoesOn_m;

@@ -26,7 +26,7 @@ std::vector<Goal> goals(const SessionContext& context);
 
 // Returns the box whose place is announced for a goal. For a door, it is the doorway, as in the list of exits, if the
 // rooms are found. Otherwise it is the goal's own box.
-Aabb told_box(const Rooms& rooms, const Goal& goal);
+Aabb announced_box(const Rooms& rooms, const Goal& goal);
 
 inline constexpr double kAtStop_m = 1.5;  // within this distance of a stop no guidance to it is needed
 

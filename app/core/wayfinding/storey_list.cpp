@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/whereabouts/storeys.h"
 #include "worlds/base/language.h"
 #include "worlds/navigation/foot_distances.h"
@@ -11,7 +11,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr std::size_t kMostRoomsTold = 8;
+constexpr std::size_t kMostRoomsNamed = 8;
 constexpr double kUnreached_m = 1e6;  // a distance larger than any distance on foot
 
 // Returns "You are on Level 1. Its rooms: hall, kitchen and 3 more."
@@ -19,10 +19,10 @@ std::string own_storey_words(const navigation::RoomGraph& graph, const std::vect
                              std::size_t own) {
     std::string names;
     const std::vector<std::uint32_t>& rooms = storeys[own].rooms;
-    for (std::size_t i = 0; i < std::min(kMostRoomsTold, rooms.size()); ++i)
+    for (std::size_t i = 0; i < std::min(kMostRoomsNamed, rooms.size()); ++i)
         names = joined(names, graph.rooms[rooms[i]].name);
-    if (rooms.size() > kMostRoomsTold)
-        names = phrase("overview.and_more", {{"names", names}, {"more", rooms.size() - kMostRoomsTold}});
+    if (rooms.size() > kMostRoomsNamed)
+        names = phrase("overview.and_more", {{"names", names}, {"more", rooms.size() - kMostRoomsNamed}});
     return phrase("storeys.here", {{"storey", storey_name(storeys, own)}, {"names", names}, {"count", rooms.size()}});
 }
 
@@ -65,7 +65,7 @@ void open_storey_list(const SessionContext& context, Rooms& rooms, Doors& doors,
         if (doors.ride_to(storeys[which].floor_m, storey_name(storeys, which), then_s)) return;
         if (which == storey_of_room(storeys, graph, rooms.here()))
             return context.answer(own_storey_words(graph, storeys, which), then_s);
-        to_room(nearest_room_of(graph, storeys[which].rooms, rooms.here(), context.body.feet_m()), then_s);
+        to_room(nearest_room_of(graph, storeys[which].rooms, rooms.here(), context.avatar.feet_m()), then_s);
     };
     context.open_list(std::move(list), now_s);
 }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/world/questions.h"
 #include "app/core/world/surroundings.h"
 #include "worlds/base/language.h"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kOneFloor_m = 0.5;
 // If the person is farther than this from an end of the stairs, they have left that end.
-constexpr double kGoneAway_m = 1.5;
+constexpr double kWalkedAway_m = 1.5;
 // A door or button that the person faces is used instead if it is nearer than this.
 constexpr double kToWhatIsFaced_m = 1.2;
 
@@ -21,7 +21,7 @@ constexpr double kToWhatIsFaced_m = 1.2;
 std::optional<Climbs::End> Climbs::end_here(double within_m, const navigation::RoutePassage* only) const {
     if (!rooms_.found()) return std::nullopt;
     const navigation::WalkSpace& space = rooms_.space();
-    const Vec3& feet_m = context_.body.feet_m();
+    const Vec3& feet_m = context_.avatar.feet_m();
     std::optional<End> nearest;
     for (std::uint32_t i = 0; i < space.links.size(); ++i) {
         const navigation::WalkLink& link = space.links[i];
@@ -44,7 +44,7 @@ std::optional<Climbs::End> Climbs::end_here(double within_m, const navigation::R
 bool Climbs::something_else(bool wanted) const {
     if (context_.hands.tool.touches() && mover_of(context_.world, context_.hands.tool.touched()) >= 0) return true;
     if (wanted) return false;
-    const auto seen = look(*context_.world.solids, context_.body.feet_m(), kLookHeight_m, context_.body.heading_rad,
+    const auto seen = look(*context_.world.solids, context_.avatar.feet_m(), kLookHeight_m, context_.avatar.heading_rad,
                            kToWhatIsFaced_m);
     return seen && mover_of(context_.world, seen->feature) >= 0;
 }
@@ -52,29 +52,29 @@ bool Climbs::something_else(bool wanted) const {
 bool Climbs::act(Command command, double now_s) {
     if (command != Command::Use) return false;
     const std::optional<navigation::RoutePassage> wanted = on_way ? on_way() : std::nullopt;
-    std::optional<End> end = wanted ? end_here(kGoneAway_m, &*wanted) : std::nullopt;
+    std::optional<End> end = wanted ? end_here(kWalkedAway_m, &*wanted) : std::nullopt;
     if (!end) end = end_here(kAtEnd_m);
     if (!end || something_else(wanted.has_value())) return false;
-    told_ = end->link;
-    context_.asks.place(end->there_m, context_.body.heading_rad, now_s);
+    announced_ = end->link;
+    context_.session_requests.place(end->there_m, context_.avatar.heading_rad, now_s);
     context_.play(cues::SoundKind::FrameSwitch, now_s);
     rooms_.notice(now_s, true);
     const double rise_m = end->there_m.z - end->here_m.z;
-    context_.answer(
-        phrase(rise_m > 0.0 ? "climbs.up" : "climbs.down", {{"metres", std::abs(rise_m)}}) + " " + asking_.where_am_i(),
-        now_s);
+    context_.answer(phrase(rise_m > 0.0 ? "climbs.up" : "climbs.down", {{"metres", std::abs(rise_m)}}) + " " +
+                        queries_.where_am_i(),
+                    now_s);
     return true;
 }
 
 void Climbs::tick(double now_s) {
-    if (told_) {
-        const std::optional<End> still = end_here(kGoneAway_m);
-        if (still && still->link == *told_) return;
-        told_.reset();
+    if (announced_) {
+        const std::optional<End> still = end_here(kWalkedAway_m);
+        if (still && still->link == *announced_) return;
+        announced_.reset();
     }
     const std::optional<End> end = end_here(kAtEnd_m);
     if (!end) return;
-    told_ = end->link;
+    announced_ = end->link;
     const std::string what =
         passage_name(context_, navigation::PassageKind::Climb, end->feature, end->there_m.z - end->here_m.z);
     context_.say(phrase("climbs.here", {{"stairs", sentence_case(what)}, {"key", context_.keys.keys_of(Command::Use)}}),

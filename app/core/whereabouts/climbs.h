@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "app/core/context/session_part.h"
-#include "app/core/whereabouts/asking.h"
+#include "app/core/whereabouts/queries.h"
 #include "app/core/whereabouts/rooms.h"
 
 namespace handrail::core {
@@ -16,10 +16,10 @@ class Climbs : SessionPart {
 public:
     static constexpr double kAtEnd_m = 1.0;  // the person can climb stairs from within this distance of an end
 
-    Climbs(const SessionContext& context, Rooms& rooms, const Asking& asking)
-        : SessionPart(context), rooms_(rooms), asking_(asking) {}
+    Climbs(const SessionContext& context, Rooms& rooms, const Queries& queries)
+        : SessionPart(context), rooms_(rooms), queries_(queries) {}
 
-    void enter_world() { told_.reset(); }
+    void enter_world() { announced_.reset(); }
     // Carries out the command Use at an end of such stairs. Stairs on the followed route have priority, in the
     // direction of the route. Otherwise the command climbs the nearest stairs if the person neither touches nor faces
     // anything else to use. Returns false if the command belongs to another feature.
@@ -41,8 +41,8 @@ private:
     bool something_else(bool wanted) const;
 
     Rooms& rooms_;
-    const Asking& asking_;
-    std::optional<std::uint32_t> told_;  // index of the announced stairs at whose end the person stands
+    const Queries& queries_;
+    std::optional<std::uint32_t> announced_;  // index of the announced stairs at whose end the person stands
 };
 
 }  // namespace handrail::core

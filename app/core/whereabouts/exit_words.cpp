@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/dialogue/brief_words.h"
 #include "worlds/base/language.h"
 
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMostListed = 8;
 
 Vec3 way_to(const SessionContext& context, const navigation::Portal& portal) {
-    return portal.place_m - context.body.feet_m();
+    return portal.place_m - context.avatar.feet_m();
 }
 
 double far_m(const SessionContext& context, const navigation::Portal& portal) {
@@ -29,10 +29,10 @@ std::uint32_t beyond(const navigation::Portal& portal, std::uint32_t room) {
 
 std::vector<std::uint32_t> in_order(const SessionContext& context, const navigation::RoomGraph& graph,
                                     std::uint32_t room, ExitOrder order,
-                                    const std::function<bool(std::uint32_t)>& told) {
+                                    const std::function<bool(std::uint32_t)>& included) {
     std::vector<std::uint32_t> exits =
-        navigation::exits_of(graph, room, context.body.feet_m(), context.body.heading_rad);
-    if (told) std::erase_if(exits, [&](std::uint32_t p) { return !told(beyond(graph.portals[p], room)); });
+        navigation::exits_of(graph, room, context.avatar.feet_m(), context.avatar.heading_rad);
+    if (included) std::erase_if(exits, [&](std::uint32_t p) { return !included(beyond(graph.portals[p], room)); });
     if (order == ExitOrder::Nearest)
         std::stable_sort(exits.begin(), exits.end(), [&](std::uint32_t a, std::uint32_t b) {
             return far_m(context, graph.portals[a]) < far_m(context, graph.portals[b]);
@@ -50,7 +50,7 @@ std::string exit_sentence(const SessionContext& context, const navigation::RoomG
         sentence_case(lock.empty() ? what : phrase("rooms.locked_exit", {{"exit", what}, {"lock", lock}}));
     const Vec3 way = way_to(context, portal);
     const std::string where =
-        brief_place_words(far_m(context, portal), std::atan2(way.x, way.y), context.body.heading_goal_rad,
+        brief_place_words(far_m(context, portal), std::atan2(way.x, way.y), context.avatar.heading_goal_rad,
                           context.settings.speech.directions, distances(context));
     return sentence_case(to) == sentence_case(what)
                ? phrase("rooms.exit", {{"exit", exit}, {"where", where}})
@@ -73,17 +73,17 @@ std::string more_exits(const navigation::RoomGraph& graph, std::span<const std::
 
 std::vector<std::string> exit_sentences(const SessionContext& context, const navigation::RoomGraph& graph,
                                         std::uint32_t room, ExitOrder order,
-                                        const std::function<bool(std::uint32_t)>& told) {
+                                        const std::function<bool(std::uint32_t)>& included) {
     std::vector<std::string> sentences;
-    for (const std::uint32_t p : in_order(context, graph, room, order, told))
+    for (const std::uint32_t p : in_order(context, graph, room, order, included))
         sentences.push_back(exit_sentence(context, graph, room, graph.portals[p]));
     return sentences;
 }
 
 ListedExits listed_exits(const SessionContext& context, const navigation::RoomGraph& graph, std::uint32_t room,
-                         const std::function<bool(std::uint32_t)>& told) {
-    std::vector<std::uint32_t> exits = in_order(context, graph, room, ExitOrder::Clockwise, told);
-    if (exits.size() > kMostListed) exits = in_order(context, graph, room, ExitOrder::Nearest, told);
+                         const std::function<bool(std::uint32_t)>& included) {
+    std::vector<std::uint32_t> exits = in_order(context, graph, room, ExitOrder::Clockwise, included);
+    if (exits.size() > kMostListed) exits = in_order(context, graph, room, ExitOrder::Nearest, included);
     ListedExits listed{exits.size(), {}};
     const std::size_t first = std::min(exits.size(), kMostListed);
     for (std::size_t i = 0; i < first; ++i)

@@ -11,12 +11,12 @@
 
 namespace handrail::core {
 
-// Returns the exits clockwise from straight ahead, or the nearest first. Each sentence ends with a full stop. If `told`
-// is not empty, only exits to rooms for which `told` returns true are included.
+// Returns the exits clockwise from straight ahead, or the nearest first. Each sentence ends with a full stop. If
+// `included` is not empty, only exits to rooms for which `included` returns true are included.
 enum class ExitOrder { Clockwise, Nearest };
 std::vector<std::string> exit_sentences(const SessionContext& context, const navigation::RoomGraph& graph,
                                         std::uint32_t room, ExitOrder order,
-                                        const std::function<bool(std::uint32_t)>& told = {});
+                                        const std::function<bool(std::uint32_t)>& included = {});
 
 // The exits for an answer, clockwise. If there are more than eight exits, `sentences` has only the nearest eight, and
 // then the number of the others of each kind. Otherwise it would take a minute to announce the exits of a large hall.
@@ -25,6 +25,6 @@ struct ListedExits {
     std::vector<std::string> sentences;
 };
 ListedExits listed_exits(const SessionContext& context, const navigation::RoomGraph& graph, std::uint32_t room,
-                         const std::function<bool(std::uint32_t)>& told);
+                         const std::function<bool(std::uint32_t)>& included);
 
 }  // namespace handrail::core

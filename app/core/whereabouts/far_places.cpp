@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "app/core/context/context_words.h"
 #include "app/core/context/kinds_first.h"
-#include "app/core/context/telling.h"
 #include "app/core/dialogue/brief_words.h"
 #include "app/core/whereabouts/room_words.h"
 #include "app/core/whereabouts/storeys.h"
@@ -18,13 +18,13 @@ namespace {
 constexpr double kWallReach_m = 30.0;
 constexpr double kElsewhere_m = 2.0;  // a known place within this distance is taken for the present place
 // When the walker's room changes, the person has passed a doorway within this distance.
-constexpr double kDoorBeside_m = 2.0;
+constexpr double kDoorNextTo_m = 2.0;
 constexpr std::size_t kMostKnown = 32;
 
 }  // namespace
 
-FarPlaces::FarPlaces(const SessionContext& context, WalkerState& body, Rooms& rooms)
-    : SessionPart(context), body_(body), rooms_(rooms) {}
+FarPlaces::FarPlaces(const SessionContext& context, WalkerState& avatar, Rooms& rooms)
+    : SessionPart(context), avatar_(avatar), rooms_(rooms) {}
 
 void FarPlaces::enter_world() {
     known_.clear();
@@ -34,12 +34,12 @@ void FarPlaces::enter_world() {
 bool FarPlaces::act(Command command, double now_s) {
     if (command == Command::Lost) find_bearings(now_s);
     else if (command == Command::Describe) choose_room(now_s);
-    else if (command == Command::Overview) tell_building(now_s);
+    else if (command == Command::Overview) announce_building(now_s);
     else return false;
     return true;
 }
 
-void FarPlaces::tell_building(double now_s) {
+void FarPlaces::announce_building(double now_s) {
     if (rooms_.have(now_s)) context_.answer(building_words(context_, rooms_), now_s);
 }
 
@@ -55,7 +55,7 @@ void FarPlaces::note(Command command) {
         case Command::Exits:
         case Command::UnvisitedExits:
         case Command::Coordinates:
-            know({context_.body.feet_m(), kNoFeature, rooms_.here(), rooms_.here()});
+            know({context_.avatar.feet_m(), kNoFeature, rooms_.here(), rooms_.here()});
             break;
         default:
             break;
@@ -66,11 +66,11 @@ void FarPlaces::tick() {
     if (!rooms_.found() || rooms_.here() == room_) return;
     const std::uint32_t before = std::exchange(room_, rooms_.here());
     if (before == navigation::kNothing || room_ == navigation::kNothing) return;
-    const Vec3& feet_m = context_.body.feet_m();
+    const Vec3& feet_m = context_.avatar.feet_m();
     for (const navigation::Portal& portal : rooms_.graph().portals) {
         const bool joins = (portal.rooms[0] == before && portal.rooms[1] == room_) ||
                            (portal.rooms[1] == before && portal.rooms[0] == room_);
-        if (joins && glm::length(portal.place_m - feet_m) < kDoorBeside_m)
+        if (joins && glm::length(portal.place_m - feet_m) < kDoorNextTo_m)
             return know(
                 {feet_m, portal.kind == navigation::PassageKind::Door ? portal.feature : kNoFeature, before, room_});
     }
@@ -87,8 +87,8 @@ std::string FarPlaces::name_of_place(const Known& place) const {
                            : phrase("lost.asked");
 }
 
-std::string FarPlaces::way_back() const {
-    const Vec3& feet_m = context_.body.feet_m();
+std::string FarPlaces::route_back() const {
+    const Vec3& feet_m = context_.avatar.feet_m();
     Vec3 goal_m = context_.world.home_feet_m;
     std::string name = phrase("lost.base");
     const auto last = std::find_if(known_.rbegin(), known_.rend(), [&](const Known& place) {
@@ -110,7 +110,7 @@ std::string FarPlaces::way_back() const {
         }
     }
     const std::string direction = brief_direction_words(std::atan2(first_m.x - feet_m.x, first_m.y - feet_m.y),
-                                                        body_.heading_goal_rad, context_.settings.speech.directions);
+                                                        avatar_.heading_goal_rad, context_.settings.speech.directions);
     return phrase("lost.last_known", {{"place", name},
                                       {"distance", distance_words(length_m, distances(context_))},
                                       {"direction", direction},
@@ -120,17 +120,17 @@ std::string FarPlaces::way_back() const {
 void FarPlaces::find_bearings(double now_s) {
     const bool known = rooms_.known();
     if (known) rooms_.notice(now_s, true);
-    const auto wall = nearest_wall(*context_.world.solids, context_.body.feet_m(), kWallReach_m);
-    if (wall) body_.heading_goal_rad = wrap_angle(wall->bearing_rad);
+    const auto wall = nearest_wall(*context_.world.solids, context_.avatar.feet_m(), kWallReach_m);
+    if (wall) avatar_.heading_goal_rad = wrap_angle(wall->bearing_rad);
     const bool in_room = known && rooms_.here() != navigation::kNothing;
     const std::string place = in_room ? rooms_.graph().rooms[rooms_.here()].name : spoken_name(*context_.world.scene);
     std::string text = phrase("questions.place_facing", {{"place", sentence_case(place)},
-                                                         {"compass", fine_compass_word(body_.heading_goal_rad)}});
+                                                         {"compass", fine_compass_word(avatar_.heading_goal_rad)}});
     text += " " + (wall ? phrase("lost.turned", {{"wall", name_of(context_, wall->feature)},
                                                  {"distance", distance_words(wall->distance_m, distances(context_))}})
                         : phrase("lost.no_wall"));
     context_.play(cues::SoundKind::TurnTick, now_s);
-    context_.answer(text + " " + way_back(), now_s);
+    context_.answer(text + " " + route_back(), now_s);
 }
 
 // Opens a list of rooms to describe: the present room first, then the others, the nearest first.
@@ -141,7 +141,7 @@ void FarPlaces::choose_room(double now_s) {
     for (std::uint32_t room = 0; room < graph.rooms.size(); ++room)
         if (graph.rooms[room].kind != navigation::RoomKind::Niche) rooms.push_back(room);
     const auto far_m = [&](std::uint32_t room) {
-        return room == rooms_.here() ? -1.0 : glm::length(graph.rooms[room].middle_m - context_.body.feet_m());
+        return room == rooms_.here() ? -1.0 : glm::length(graph.rooms[room].middle_m - context_.avatar.feet_m());
     };
     std::stable_sort(rooms.begin(), rooms.end(), [&](std::uint32_t a, std::uint32_t b) { return far_m(a) < far_m(b); });
     ListSpec list;

@@ -14,7 +14,7 @@ namespace handrail::core {
 class FarPlaces : SessionPart {
 public:
     // For the command "I am lost", turns the walker in `body`.
-    FarPlaces(const SessionContext& context, WalkerState& body, Rooms& rooms);
+    FarPlaces(const SessionContext& context, WalkerState& avatar, Rooms& rooms);
 
     void enter_world();
     // Carries out these three commands. Returns false for other commands.
@@ -35,12 +35,12 @@ private:
     };
     void know(Known place);
     std::string name_of_place(const Known& place) const;
-    std::string way_back() const;
+    std::string route_back() const;
     void find_bearings(double now_s);
     void choose_room(double now_s);
-    void tell_building(double now_s);
+    void announce_building(double now_s);
 
-    WalkerState& body_;
+    WalkerState& avatar_;
     Rooms& rooms_;
     std::deque<Known> known_;  // known places, the newest last
     std::uint32_t room_ = navigation::kNothing;

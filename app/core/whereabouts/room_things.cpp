@@ -11,7 +11,7 @@ constexpr double kBeforeDoor_m[] = {0.6, 0.8, 1.0, 1.3};
 
 std::optional<Vec3> before_door(const SessionContext& context, const Rooms& rooms, std::uint32_t room,
                                 const Vec3& door_m) {
-    const WalkerShape shape = context.body.walker->shape();
+    const WalkerShape shape = context.avatar.walker->shape();
     // If possible, the place is straight in front of the thing. So the quarters of the compass are tried first, then
     // the directions between them.
     for (int i = 0; i < 16; ++i) {
@@ -43,7 +43,7 @@ std::vector<RoomDoor> doors_of_room(const SessionContext& context, const Rooms& 
     std::vector<RoomDoor> doors;
     if (!rooms.found()) return doors;
     const navigation::RoomGraph& graph = rooms.graph();
-    const std::uint32_t room = navigation::room_at(graph, rooms.space(), context.body.feet_m());
+    const std::uint32_t room = navigation::room_at(graph, rooms.space(), context.avatar.feet_m());
     if (room == navigation::kNothing) return doors;
     for (const navigation::Portal& portal : graph.portals) {
         if (portal.kind != navigation::PassageKind::Door || !portal.feature) continue;

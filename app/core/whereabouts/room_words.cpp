@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/dialogue/brief_words.h"
 #include "app/core/whereabouts/room_things.h"
 #include "app/core/whereabouts/storeys.h"
@@ -71,13 +71,13 @@ std::string things_words(std::vector<std::pair<double, std::string>> things) {
         if (known == kinds.end()) kinds.emplace_back(name, 1);
         else ++known->second;
     }
-    std::vector<std::string> told;
+    std::vector<std::string> said;
     int more = 0;
     for (const auto& [name, times] : kinds) {
-        if (told.size() == kMostAtWall) more += times;
-        else told.push_back(times == 1 ? name : phrase("describe.times", {{"name", name}, {"times", times}}));
+        if (said.size() == kMostAtWall) more += times;
+        else said.push_back(times == 1 ? name : phrase("describe.times", {{"name", name}, {"times", times}}));
     }
-    const std::string names = fmt::format("{}", fmt::join(told, "; "));
+    const std::string names = fmt::format("{}", fmt::join(said, "; "));
     return more == 0 ? names : phrase("describe.and_more", {{"names", names}, {"more", more}});
 }
 
@@ -97,16 +97,16 @@ std::string exits_words(const SessionContext& context, const navigation::RoomGra
     }
     std::stable_sort(exits.begin(), exits.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     // The length of the sentence is limited, because nobody remembers more words of one sentence.
-    std::vector<std::string> told;
+    std::vector<std::string> said;
     std::size_t words = 0;
     for (auto& [order, exit] : exits) {
         words += count_words(exit);
-        if (!told.empty() && words > kMostWordsOfExits) break;
-        told.push_back(std::move(exit));
+        if (!said.empty() && words > kMostWordsOfExits) break;
+        said.push_back(std::move(exit));
     }
-    std::string list = fmt::format("{}", fmt::join(told, "; "));
-    if (told.size() < exits.size())
-        list = phrase("describe.and_more", {{"names", list}, {"more", exits.size() - told.size()}});
+    std::string list = fmt::format("{}", fmt::join(said, "; "));
+    if (said.size() < exits.size())
+        list = phrase("describe.and_more", {{"names", list}, {"more", exits.size() - said.size()}});
     return exits.empty() ? phrase("describe.no_exits")
                          : phrase("describe.exits", {{"count", exits.size()}, {"exits", list}});
 }
@@ -131,11 +131,11 @@ std::string storeys_sentence(const SessionContext& context, const navigation::Ro
     if (storeys.size() < 2)
         return phrase("overview.one_storey",
                       {{"world", world}, {"rooms", storeys.empty() ? 0 : storeys.front().rooms.size()}});
-    std::vector<std::string> told;
+    std::vector<std::string> said;
     for (const StoreyOfRooms& storey : storeys)
-        told.push_back(phrase("overview.rooms", {{"rooms", storey.rooms.size()}}));
+        said.push_back(phrase("overview.rooms", {{"rooms", storey.rooms.size()}}));
     return phrase("overview.storeys",
-                  {{"world", world}, {"storeys", storeys.size()}, {"rooms", fmt::format("{}", fmt::join(told, ", "))}});
+                  {{"world", world}, {"storeys", storeys.size()}, {"rooms", fmt::format("{}", fmt::join(said, ", "))}});
 }
 
 std::string shape_sentence(const SessionContext& context, const navigation::RoomGraph& graph) {
@@ -177,10 +177,10 @@ std::string neighbours_sentence(const navigation::RoomGraph& graph) {
         joins[portal.rooms[0]].insert(portal.rooms[1]);
         joins[portal.rooms[1]].insert(portal.rooms[0]);
     }
-    std::vector<std::string> told;
+    std::vector<std::string> said;
     std::size_t words = 0;
     bool left_out = false;
-    while (told.size() < kMostHubs) {
+    while (said.size() < kMostHubs) {
         const auto hub = std::max_element(joins.begin(), joins.end(),
                                           [](const auto& a, const auto& b) { return a.size() < b.size(); });
         if (hub == joins.end() || hub->empty()) break;
@@ -197,19 +197,19 @@ std::string neighbours_sentence(const navigation::RoomGraph& graph) {
         if (more > 0) list = phrase("overview.and_more", {{"names", list}, {"more", more}});
         const std::string name = graph.rooms[at].name;
         const std::string neighbours =
-            phrase("overview.joins", {{"room", told.empty() ? sentence_case(name) : name}, {"names", list}});
+            phrase("overview.joins", {{"room", said.empty() ? sentence_case(name) : name}, {"names", list}});
         words += count_words(neighbours);
-        if (!told.empty() && words > kMostWordsOfNeighbours) {
+        if (!said.empty() && words > kMostWordsOfNeighbours) {
             left_out = true;
             break;
         }
-        told.push_back(neighbours);
+        said.push_back(neighbours);
     }
-    if (told.empty()) return phrase("overview.one_room");
+    if (said.empty()) return phrase("overview.one_room");
     const bool rest =
         left_out || std::any_of(joins.begin(), joins.end(), [](const auto& others) { return !others.empty(); });
     return phrase(rest ? "overview.first_joins" : "overview.all_joins",
-                  {{"joins", fmt::format("{}", fmt::join(told, "; "))}});
+                  {{"joins", fmt::format("{}", fmt::join(said, "; "))}});
 }
 
 }  // namespace
@@ -225,12 +225,12 @@ std::string room_size_words(const SessionContext& context, const Rooms& rooms, s
 std::string room_words(const SessionContext& context, const Rooms& rooms, std::uint32_t room) {
     const navigation::RoomGraph& graph = rooms.graph();
     contract_pre(room < graph.rooms.size());
-    const navigation::Room& told = graph.rooms[room];
+    const navigation::Room& said = graph.rooms[room];
     const Vec2 size = room_size_m(*context.world.scene, graph, room);
-    const std::string name = sentence_case(told.name);
+    const std::string name = sentence_case(said.name);
     // If the name of the room already consists of the size, the size is not repeated.
     const bool by_size =
-        !told.given && told.map_name.empty() && told.made.thing.empty() && told.kind == navigation::RoomKind::Room;
+        !said.given && said.map_name.empty() && said.made.thing.empty() && said.kind == navigation::RoomKind::Room;
     std::string text =
         by_size ? name + "."
                 : phrase("describe.room", {{"room", name}, {"size", size_words(size.x, size.y, distances(context))}});
@@ -243,7 +243,7 @@ std::string room_words(const SessionContext& context, const Rooms& rooms, std::u
     std::array<std::vector<std::pair<double, std::string>>, kMiddle + 1> things;
     for (const Feature& feature : context.world.scene->features) {
         if (!is_furniture(feature) || room_of(rooms, feature.bounds_m) != room) continue;
-        const AtWall at = at_wall(told.bounds_m, feature.bounds_m, kThingAtWall_m);
+        const AtWall at = at_wall(said.bounds_m, feature.bounds_m, kThingAtWall_m);
         const std::string thing = spoken_name(feature);
         if (!thing.empty()) things[at.wall].emplace_back(at.along_m, thing);
     }
@@ -268,7 +268,7 @@ Outline outline_of(const std::vector<Aabb>& boxes_m) {
     constexpr int kCells = 24;  // number of cells of the grid in each direction
     // The shape of the outline depends on whether the covered share of a quarter, or of the whole, is above or below
     // these limits.
-    constexpr double kWhole = 0.8, kGone = 0.35, kFull = 0.7;
+    constexpr double kWhole = 0.8, kMissing = 0.35, kFull = 0.7;
     Aabb whole;
     for (const Aabb& box : boxes_m) whole.include(box);
     const Vec3 size = whole.size_m();
@@ -299,7 +299,8 @@ Outline outline_of(const std::vector<Aabb>& boxes_m) {
                 if (other != corner && quarter[static_cast<std::size_t>(other)] < kFull) return false;
             return true;
         }();
-        if (others && quarter[static_cast<std::size_t>(corner)] <= kGone) return {OutlineShape::CornerMissing, corner};
+        if (others && quarter[static_cast<std::size_t>(corner)] <= kMissing)
+            return {OutlineShape::CornerMissing, corner};
     }
     return {OutlineShape::Irregular, 0};
 }

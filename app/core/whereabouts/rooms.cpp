@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/whereabouts/exit_words.h"
 #include "app/core/whereabouts/storeys.h"
 #include "worlds/base/language.h"
@@ -16,15 +16,16 @@
 namespace handrail::core {
 
 std::shared_ptr<RoomsOfWorld> Rooms::enter_world(std::shared_ptr<const Scene> scene, RoutesKeeper keeper) {
-    const WalkerSize size = body_size(*scene, context_.settings.walk.body_radius_m);
+    const WalkerSize size = walker_size(*scene, context_.settings.walk.body_radius_m);
     std::shared_ptr<RoomsOfWorld> left = std::move(of_world_);
     if (left) left->give_up();  // The previous search is stopped before the next one begins.
-    const navigation::WalkerMeasures body = navigation::walk_body(*scene, size.radius_m, size.height_m, size.step_up_m);
+    const navigation::WalkerMeasures body =
+        navigation::walker_measures(*scene, size.radius_m, size.height_m, size.step_up_m);
     of_world_ = std::make_shared<RoomsOfWorld>(std::move(scene), body, context_.executor, std::move(keeper),
                                                context_.rooms_kept, context_.arrivals);
     leaves_of_.reset();
     patience_.reset();
-    looked_for_ = told_ = false;
+    looked_for_ = announced_ = false;
     here_ = navigation::kNothing;
     storey_.reset();
     visited_.clear();
@@ -36,13 +37,13 @@ bool Rooms::act(Command command, double now_s) {
     switch (command) {
         case Command::Exits:
         case Command::UnvisitedExits:
-            context_.events.tell(HelpRequested{command}, now_s);
-            tell_exits(command == Command::UnvisitedExits, now_s);
+            context_.events.report(HelpRequested{command}, now_s);
+            announce_exits(command == Command::UnvisitedExits, now_s);
             return true;
         case Command::NameRoom:
             if (!have(now_s)) return true;
             if (here_ == navigation::kNothing) context_.answer(phrase("rooms.nowhere"), now_s);
-            else ask_name(here_, {}, now_s);
+            else request_name(here_, {}, now_s);
             return true;
         default:
             return false;
@@ -54,21 +55,21 @@ void Rooms::tick(double now_s) {
     if (found()) navigation::say_room_names(graph());
     know_leaves();
     notice(now_s, false);
-    tell_that_it_takes_long(now_s);
+    announce_that_it_takes_long(now_s);
 }
 
 // Announces once that the search for rooms takes long, and later once that the rooms are known. There are no further
 // announcements, so that an exploring person is not disturbed.
-void Rooms::tell_that_it_takes_long(double now_s) {
+void Rooms::announce_that_it_takes_long(double now_s) {
     if (!of_world_) return;
     if (looked_for_) {
-        if (patience_ && patience_->told() && found())
+        if (patience_ && patience_->announced() && found())
             context_.say(phrase("rooms.known_now"), cues::SpeechClass::Ambient, now_s);
         patience_.reset();
         return;
     }
     if (!patience_) patience_.emplace(now_s);
-    if (!patience_->told() && patience_->due(now_s))
+    if (!patience_->announced() && patience_->due(now_s))
         context_.say(phrase("rooms.takes_long"), cues::SpeechClass::Ambient, now_s);
 }
 
@@ -120,8 +121,8 @@ bool Rooms::have(double now_s) {
 void Rooms::notice(double now_s, bool quietly) {
     if (!found()) return;
     navigation::RoomGraph& graph = of_world_->graph();
-    if (!told_) {
-        told_ = true;
+    if (!announced_) {
+        announced_ = true;
         visited_.assign(graph.rooms.size(), false);
         lay_given_names(now_s);
         for (const std::string& sentence : navigation().said())
@@ -131,34 +132,34 @@ void Rooms::notice(double now_s, bool quietly) {
         quietly = true;
     }
     if (drawn_) draw();
-    const std::uint32_t now_in = navigation::room_at(graph, navigation().space(), context_.body.feet_m());
+    const std::uint32_t now_in = navigation::room_at(graph, navigation().space(), context_.avatar.feet_m());
     if (now_in == navigation::kNothing || now_in == here_) return;
     here_ = now_in;
     visited_[here_] = true;
-    context_.events.tell(RoomEntered{here_, graph.rooms[here_].name}, now_s);
+    context_.events.report(RoomEntered{here_, graph.rooms[here_].name}, now_s);
     const std::string storey = storey_news(!quietly);
     if (!quietly && context_.settings.speech.rooms)
-        context_.tell(cues::SpeechTopic::Place, storey + sentence_case(graph.rooms[here_].name), now_s);
+        context_.announce(cues::SpeechTopic::Place, storey + sentence_case(graph.rooms[here_].name), now_s);
 }
 
-bool Rooms::tell_here_anew(double now_s) {
+bool Rooms::announce_here_anew(double now_s) {
     if (!found() || here_ == navigation::kNothing) return false;
     if (!context_.settings.speech.rooms) return true;
-    context_.tell(cues::SpeechTopic::Place, sentence_case(graph().rooms[here_].name), now_s, {.anew = true});
+    context_.announce(cues::SpeechTopic::Place, sentence_case(graph().rooms[here_].name), now_s, {.anew = true});
     return true;
 }
 
 // Returns "House, storey 2 of 2: 5 rooms. " for the first room that the walker enters on another storey. The text is
-// empty if `told` does not permit the announcement.
-std::string Rooms::storey_news(bool told) {
+// empty if `announced` does not permit the announcement.
+std::string Rooms::storey_news(bool announced) {
     const std::vector<StoreyOfRooms> storeys = storeys_of(*file_scene(), graph());
     const std::size_t now_on = storey_of_room(storeys, graph(), here_);
     const bool room = now_on < storeys.size() && std::find(storeys[now_on].rooms.begin(), storeys[now_on].rooms.end(),
                                                            here_) != storeys[now_on].rooms.end();
     if (!room || storey_ == now_on) return {};
     const bool first = !storey_;
-    if (first || told) storey_ = now_on;
-    return first || !told ? std::string() : storey_sentence(*file_scene(), storeys, now_on) + " ";
+    if (first || announced) storey_ = now_on;
+    return first || !announced ? std::string() : storey_sentence(*file_scene(), storeys, now_on) + " ";
 }
 
 // Makes the rooms for the plan on the display: once, and again after a name has changed.
@@ -174,7 +175,7 @@ void Rooms::draw() {
     drawing_ = std::make_shared<const std::vector<DrawnRoom>>(std::move(drawn));
 }
 
-void Rooms::tell_exits(bool unvisited_only, double now_s) {
+void Rooms::announce_exits(bool unvisited_only, double now_s) {
     if (!have(now_s)) return;
     if (here_ == navigation::kNothing) return context_.answer(phrase("rooms.nowhere"), now_s);
     const navigation::RoomGraph& graph = of_world_->graph();
@@ -203,7 +204,7 @@ void Rooms::lay_given_names(double now_s) {
     if (on_known) on_known(now_s);
 }
 
-void Rooms::ask_name(std::uint32_t room, std::function<void(double now_s)> then, double now_s) {
+void Rooms::request_name(std::uint32_t room, std::function<void(double now_s)> then, double now_s) {
     TextSpec question;
     question.question = phrase("room_names.ask", {{"room", sentence_case(graph().rooms[room].name)}});
     question.done = [this, room, then = std::move(then)](const std::string& typed) {
@@ -211,7 +212,7 @@ void Rooms::ask_name(std::uint32_t room, std::function<void(double now_s)> then,
         if (then) then(context_.tick_s);
     };
     question.left = [this] { context_.answer(phrase("room_names.stays"), context_.tick_s); };
-    context_.ask_text(std::move(question), now_s);
+    context_.request_text(std::move(question), now_s);
 }
 
 void Rooms::give_name(std::uint32_t room, const std::string& typed, double now_s) {

@@ -56,10 +56,10 @@ public:
     void notice(double now_s, bool quietly);
     // Announces the name of the present room once more, because the line with the name was cut off. If the person wants
     // no names of rooms, announces nothing. Returns false if there is no room.
-    bool tell_here_anew(double now_s);
+    bool announce_here_anew(double now_s);
 
     // Asks for a name for a room, stores it and then calls `then`.
-    void ask_name(std::uint32_t room, std::function<void(double now_s)> then, double now_s);
+    void request_name(std::uint32_t room, std::function<void(double now_s)> then, double now_s);
     // Reads the names again. Call it when another session has changed them in the side file.
     void take_names_again();
 
@@ -74,14 +74,14 @@ public:
 
 private:
     void know_leaves();
-    void tell_that_it_takes_long(double now_s);
+    void announce_that_it_takes_long(double now_s);
     void draw();
-    std::string storey_news(bool told);
-    void tell_exits(bool unvisited_only, double now_s);
+    std::string storey_news(bool announced);
+    void announce_exits(bool unvisited_only, double now_s);
     void lay_given_names(double now_s);
     void give_name(std::uint32_t room, const std::string& typed, double now_s);
 
-    bool looked_for_ = false, told_ = false, drawn_ = false, refused_ = false;
+    bool looked_for_ = false, announced_ = false, drawn_ = false, refused_ = false;
     std::shared_ptr<RoomsOfWorld> of_world_;
     // Set at the first tick in this world. It has no value before the search has begun and after the search has ended.
     std::optional<Patience> patience_;

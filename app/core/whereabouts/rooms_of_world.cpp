@@ -7,7 +7,7 @@
 #include "worlds/base/language.h"
 #include "worlds/navigation/reach.h"
 #include "worlds/navigation/validate_ways.h"
-#include "worlds/stored/stored_ways.h"
+#include "worlds/stored/stored_navigation.h"
 
 namespace handrail::core {
 
@@ -42,8 +42,8 @@ bool RoomsOfWorld::take_from(const RoomsKept& shared) {
 }
 
 void RoomsOfWorld::find_or_take(const std::string& key, const std::stop_token& stop) {
-    std::optional<stored::FoundWays> kept;
-    if (keeper_) kept = stored::ways_from(keeper_.take(key, stop), body_, *scene_);
+    std::optional<stored::FoundNavigation> kept;
+    if (keeper_) kept = stored::navigation_from(keeper_.take(key, stop), body_, *scene_);
     Result<std::shared_ptr<navigation::Navigation>> made =
         kept ? navigation::Navigation::over(*scene_, std::move(kept->space), stop)
              : navigation::Navigation::make(*scene_, body_, stop);
@@ -65,7 +65,7 @@ void RoomsOfWorld::find(const std::stop_token& stop) {
     std::shared_ptr<const navigation::Navigation> to_keep;
     navigation::RoomGraph graph;  // a copy of the graph from before the person's names were added
     try {
-        if (keeper_) key = stored::ways_key(*scene_, body_);
+        if (keeper_) key = stored::navigation_key(*scene_, body_);
         find_or_take(key, stop);
         if (navigation_ && !kept_ && keeper_ && !stop.stop_requested() &&
             stored::worth_keeping(navigation_->space(), *scene_)) {
@@ -83,7 +83,7 @@ void RoomsOfWorld::find(const std::stop_token& stop) {
     done_.notify_all();
     if (!to_keep) return;
     try {
-        if (const std::string packed = stored::stored_ways(to_keep->space(), graph, stop); !packed.empty())
+        if (const std::string packed = stored::stored_navigation(to_keep->space(), graph, stop); !packed.empty())
             keeper_.keep(key, packed);
     } catch (const std::bad_alloc&) {  // Memory is short, so nothing is stored, and the next start searches again.
     }

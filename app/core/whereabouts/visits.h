@@ -18,8 +18,8 @@ public:
 
     void enter_world();
     // Reports visits as events. Call it once a tick, after the context has received the state of the hands.
-    // `asked_about` is what the person asked about since the last tick, or kNoFeature.
-    void tick(FeatureId asked_about, double now_s);
+    // `queried_thing` is what the person asked about since the last tick, or kNoFeature.
+    void tick(FeatureId queried_thing, double now_s);
 
 private:
     bool is_thing(FeatureId feature) const;

@@ -13,10 +13,10 @@ namespace handrail::core {
 // a walker that is this far below the lowest part of the world has fallen out of the world
 inline constexpr double kOutOfWorld_m = 20.0;
 
-// Returns where the walker comes to rest. The places in `wishes` are tried in order. If none of them holds the walker,
-// returns the nearest place to the first wish that holds the walker, on a grid over the world or on top of a thing.
-// Returns no value if no ground of this world holds the walker.
+// Returns where the walker comes to rest. The places in `preferred` are tried in order. If none of them holds the
+// walker, returns the nearest place to the first of them that holds the walker, on a grid over the world or on top of a
+// thing. Returns no value if no ground of this world holds the walker.
 std::optional<Vec3> place_that_holds(const Scene& scene, const WalkerWorld& world, const WalkerSize& size,
-                                     std::span<const Vec3> wishes);
+                                     std::span<const Vec3> preferred);
 
 }  // namespace handrail::core

@@ -72,8 +72,8 @@ bool parted_by_planes(const Part& a, const Part& b) {
 
 }  // namespace
 
-bool meets_body(const std::shared_ptr<const Scene>& model, const Placement& at, const Vec3& feet_m,
-                const WalkerShape& body) {
+bool meets_walker(const std::shared_ptr<const Scene>& model, const Placement& at, const Vec3& feet_m,
+                  const WalkerShape& body) {
     return alone(model, at).blocked(feet_m, body);
 }
 

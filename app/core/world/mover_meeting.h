@@ -12,8 +12,8 @@ namespace handrail::core {
 
 // Returns true if a walker at `feet_m` overlaps the thing at `at`. The result is exact, as for walking, if the thing is
 // rotated only about the upright axis. Otherwise, the function uses the bounding box of each solid.
-bool meets_body(const std::shared_ptr<const Scene>& model, const Placement& at, const Vec3& feet_m,
-                const WalkerShape& body);
+bool meets_walker(const std::shared_ptr<const Scene>& model, const Placement& at, const Vec3& feet_m,
+                  const WalkerShape& body);
 
 // Returns true if two things overlap by more than kMeetingDepth_m. Two solids may be apart although only a plane
 // parallel to an edge of each of them could separate them. In that case, the function also returns true.

@@ -47,7 +47,7 @@ void MoverPlay::send(std::uint32_t group, bool to_rest) {
         }
         const double goal = to_rest ? rest(i) : 1.0 - rest(i);
         if (part.goal != goal) {
-            part.told = false;
+            part.reported = false;
             part.met_s = 0.0;
         }
         part.goal = goal;
@@ -64,7 +64,7 @@ void MoverPlay::hold_shut(std::uint32_t mover, bool held) {
         part.held_shut = held;
         // The shut place is the place in the file, even if the door rests open.
         const double goal = held ? 0.0 : rest(i);
-        part.told = part.told && part.goal == goal;
+        part.reported = part.reported && part.goal == goal;
         part.goal = goal;
     }
 }
@@ -75,7 +75,7 @@ void MoverPlay::send_lift(std::uint32_t lift, double part) {
     send(movers_[lift].group, part == rest(lift));
     if (parts_[lift].goal == part) return;
     parts_[lift].goal = part;  // The goal is a halt between the ends.
-    parts_[lift].told = false;
+    parts_[lift].reported = false;
 }
 
 // Returns the next halt above the lift's goal. If the goal is the highest halt, returns the lowest one.
@@ -157,7 +157,7 @@ void MoverPlay::turn_back(std::uint32_t mover) {
     send(movers_[mover].group, goes_out);
     for (std::uint32_t other = 0; other < parts_.size(); ++other) {
         if (movers_[other].group != movers_[mover].group) continue;
-        parts_[other].told = true;
+        parts_[other].reported = true;
         parts_[other].shy = goes_out;
         parts_[other].held_s = kPatience_s;
     }
@@ -178,10 +178,10 @@ void MoverPlay::tick_ends(std::uint32_t i, double dt_s, const Meets& meets, std:
         if (part.left_s <= 0.0) send(mover.group, true);
         if (part.part == part.goal) return;
     }
-    if ((part.part == 0.0 || part.part == 1.0 || !part.told) && !doors_shut(i)) return;
+    if ((part.part == 0.0 || part.part == 1.0 || !part.reported) && !doors_shut(i)) return;
     const bool to_rest = part.goal == rest(i);
-    if (!part.told) {
-        part.told = true;
+    if (!part.reported) {
+        part.reported = true;
         events.push_back({MoverEvent::Kind::Leaves, i, to_rest});
     }
     const double step = dt_s / mover.travel_s;

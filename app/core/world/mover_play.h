@@ -87,7 +87,7 @@ private:
         double part = 0.0, goal = 0.0;  // present position and goal, as shares of the path in the file, 0 to 1
         double left_s = 0.0;            // time until the mover returns automatically, or continues from a stop
         double met_s = 0.0;             // how long something has been in the mover's way
-        bool told = true;               // true: the departure of the mover has been reported
+        bool reported = true;           // true: the departure of the mover has been reported
         double held_s = 0.0;  // for the door of a lift that has met somebody: time until it tries to shut again
         bool shy = false;     // true: the mover met a person on its way out, and the person is still near
         bool held_shut = false;

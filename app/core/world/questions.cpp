@@ -43,9 +43,9 @@ Sight sight_of(const Scene& scene, const Seen& seen) {
 double off_rad(double bearing_rad, double from_rad) { return std::abs(wrap_angle(bearing_rad - from_rad)); }
 
 // Gives a door the place of its doorway instead of its leaf, so that every answer uses the same place.
-void tell_doorway(const Asker& asker, Seen& seen) {
-    for (const Doorway& doorway : asker.doorways) {
-        const Vec3 way = doorway.place_m - asker.feet_m;
+void use_doorway(const Viewpoint& viewpoint, Seen& seen) {
+    for (const Doorway& doorway : viewpoint.doorways) {
+        const Vec3 way = doorway.place_m - viewpoint.feet_m;
         const double distance_m = std::hypot(way.x, way.y);
         if (doorway.door != seen.feature || distance_m < 1e-6) continue;
         seen.distance_m = distance_m;
@@ -60,48 +60,48 @@ void sort_by_distance(std::vector<Sight>& sights) {
 
 }  // namespace
 
-std::vector<Sight> in_sight(const Asker& asker, std::size_t most) {
-    const Scene& scene = asker.world.scene();
+std::vector<Sight> in_sight(const Viewpoint& viewpoint, std::size_t most) {
+    const Scene& scene = viewpoint.world.scene();
     std::vector<Sight> all;
-    for (Seen seen : things_in_sight(asker.world, asker.feet_m, kLookHeight_m, kMostLooked)) {
-        tell_doorway(asker, seen);
+    for (Seen seen : things_in_sight(viewpoint.world, viewpoint.feet_m, kLookHeight_m, kMostLooked)) {
+        use_doorway(viewpoint, seen);
         all.push_back(sight_of(scene, seen));
     }
-    const Vec3 eye = asker.feet_m + Vec3(0.0, 0.0, kLookHeight_m);
+    const Vec3 eye = viewpoint.feet_m + Vec3(0.0, 0.0, kLookHeight_m);
     for (const SoundSource& sound : scene.sounds) {
         const Vec3 way = sound.position_m - eye;
         const double distance_m = glm::length(way);
         const std::string name = spoken_name(sound);
         if (name.empty() || distance_m < 1e-6 || distance_m > kSightRange_m) continue;
-        const TraceHit hit = asker.world.trace(eye, sound.position_m, WalkerShape{}, true);
+        const TraceHit hit = viewpoint.world.trace(eye, sound.position_m, WalkerShape{}, true);
         if (hit.hit && (1.0 - hit.fraction) * distance_m > kSoundSize_m) continue;
         all.push_back(
             {{std::atan2(way.x, way.y), std::hypot(way.x, way.y), kNoFeature, sound.position_m}, name, {}, false});
     }
     sort_by_distance(all);
-    std::vector<Sight> told;
+    std::vector<Sight> described;
     for (Sight& sight : all) {
-        if (told.size() == most) break;
-        if (std::none_of(told.begin(), told.end(), [&](const Sight& t) { return t.name == sight.name; }))
-            told.push_back(std::move(sight));
+        if (described.size() == most) break;
+        if (std::none_of(described.begin(), described.end(), [&](const Sight& t) { return t.name == sight.name; }))
+            described.push_back(std::move(sight));
     }
-    return told;
+    return described;
 }
 
-std::optional<Sight> sight_along(const Asker& asker, double bearing_rad) {
-    const auto seen = body_meets(asker.world, asker.feet_m, asker.size, bearing_rad);
+std::optional<Sight> sight_along(const Viewpoint& viewpoint, double bearing_rad) {
+    const auto seen = walker_meets(viewpoint.world, viewpoint.feet_m, viewpoint.size, bearing_rad);
     if (!seen) return std::nullopt;
-    return sight_of(asker.world.scene(), *seen);
+    return sight_of(viewpoint.world.scene(), *seen);
 }
 
 namespace {
 
 // Adds what a walker would bump into in this direction, and what a straight ray at kLookHeight_m hits.
-void add_straight(const Asker& asker, double bearing_rad, std::vector<Sight>& sights) {
+void add_straight(const Viewpoint& viewpoint, double bearing_rad, std::vector<Sight>& sights) {
     std::optional<Sight> beyond;
-    if (const auto seen = look(asker.world, asker.feet_m, kLookHeight_m, bearing_rad))
-        beyond = sight_of(asker.world.scene(), *seen);
-    for (const std::optional<Sight>& straight : {sight_along(asker, bearing_rad), beyond})
+    if (const auto seen = look(viewpoint.world, viewpoint.feet_m, kLookHeight_m, bearing_rad))
+        beyond = sight_of(viewpoint.world.scene(), *seen);
+    for (const std::optional<Sight>& straight : {sight_along(viewpoint, bearing_rad), beyond})
         if (straight && std::none_of(sights.begin(), sights.end(),
                                      [&](const Sight& sight) { return sight.name == straight->name; }))
             sights.push_back(*straight);
@@ -109,37 +109,38 @@ void add_straight(const Asker& asker, double bearing_rad, std::vector<Sight>& si
 
 }  // namespace
 
-std::array<std::optional<Sight>, 4> around(const Asker& asker) {
+std::array<std::optional<Sight>, 4> around(const Viewpoint& viewpoint) {
     std::array<std::optional<Sight>, 4> quarters;
-    for (Sight& sight : in_sight(asker, kMostLooked)) {
+    for (Sight& sight : in_sight(viewpoint, kMostLooked)) {
         const long quarter =
-            (std::lround(wrap_angle(sight.seen.bearing_rad - asker.heading_rad) / kQuarter_rad) + 4) % 4;
+            (std::lround(wrap_angle(sight.seen.bearing_rad - viewpoint.heading_rad) / kQuarter_rad) + 4) % 4;
         auto& place = quarters[static_cast<std::size_t>(quarter)];
         if (!place) place = std::move(sight);
     }
     for (std::size_t i = 0; i < 4; ++i)
-        if (!quarters[i]) quarters[i] = sight_along(asker, asker.heading_rad + static_cast<double>(i) * kQuarter_rad);
+        if (!quarters[i])
+            quarters[i] = sight_along(viewpoint, viewpoint.heading_rad + static_cast<double>(i) * kQuarter_rad);
     return quarters;
 }
 
-std::vector<Sight> ahead(const Asker& asker) {
-    std::vector<Sight> sights = in_sight(asker, kMostLooked);
+std::vector<Sight> ahead(const Viewpoint& viewpoint) {
+    std::vector<Sight> sights = in_sight(viewpoint, kMostLooked);
     std::erase_if(sights, [&](const Sight& sight) {
-        return off_rad(sight.seen.bearing_rad, asker.heading_rad) > kQuarter_rad / 2.0 + 1e-9;
+        return off_rad(sight.seen.bearing_rad, viewpoint.heading_rad) > kQuarter_rad / 2.0 + 1e-9;
     });
-    add_straight(asker, asker.heading_rad, sights);
+    add_straight(viewpoint, viewpoint.heading_rad, sights);
     sort_by_distance(sights);
     if (sights.size() > kMostAhead) sights.resize(kMostAhead);
     return sights;
 }
 
-std::vector<Sight> look_towards(const Asker& asker, double bearing_rad) {
-    std::vector<Sight> sights = in_sight(asker, kMostLooked);
+std::vector<Sight> look_towards(const Viewpoint& viewpoint, double bearing_rad) {
+    std::vector<Sight> sights = in_sight(viewpoint, kMostLooked);
     std::erase_if(sights, [&](const Sight& sight) {
         return off_rad(sight.seen.bearing_rad, bearing_rad) > kSixteenth_rad / 2.0 + 1e-9;
     });
     if (sights.size() > kMostTowards) sights.resize(kMostTowards);
-    add_straight(asker, bearing_rad, sights);
+    add_straight(viewpoint, bearing_rad, sights);
     sort_by_distance(sights);
     return sights;
 }
@@ -159,7 +160,7 @@ std::string sides_of_door(const Feature& door, double bearing_rad) {
                   side(door.handle, "questions.handle_left", "questions.handle_right"));
 }
 
-std::string tell(const Sight& sight, const std::string& state, const Telling& how) {
+std::string describe(const Sight& sight, const std::string& state, const DescriptionStyle& how) {
     std::string name = sentence_case(sight.name);
     // Uses the same words as for exits, in sixteenths of a circle. A person who wants degrees also gets exact
     // distances.
@@ -180,7 +181,7 @@ std::string tell(const Sight& sight, const std::string& state, const Telling& ho
     return joined(text, place);
 }
 
-std::string tell_there(const Sight& sight, const std::string& state, const Telling& how) {
+std::string describe_there(const Sight& sight, const std::string& state, const DescriptionStyle& how) {
     std::string text = sight.name;
     if (how.verbosity <= 1) return text;
     if (sight.surface || how.verbosity >= 3) text = joined(text, sight.material);
@@ -198,20 +199,21 @@ std::string steps_of_size(const Feature& feature, const DistanceWords& how) {
 }
 
 double LookRound::step(int by, const Vec3& feet_m, double heading_rad, std::optional<double> hand_rad) {
-    const bool body_moved =
+    const bool walker_moved =
         !begun_ || glm::length(feet_m - feet_m_) > kSamePlace_m || off_rad(heading_rad, heading_rad_) > kSameTurn_rad;
     const bool hand_moved = hand_rad && (!hand_rad_ || off_rad(*hand_rad, *hand_rad_) > kSixteenth_rad / 2.0);
     begun_ = true;
     feet_m_ = feet_m;
     heading_rad_ = heading_rad;
-    if (hand_moved || body_moved) hand_rad_ = hand_rad;
+    if (hand_moved || walker_moved) hand_rad_ = hand_rad;
     if (hand_moved) bearing_rad_ = *hand_rad;
-    else if (body_moved) bearing_rad_ = heading_rad;
+    else if (walker_moved) bearing_rad_ = heading_rad;
     else bearing_rad_ += by * kSixteenth_rad;
     return bearing_rad_ = wrap_angle(bearing_rad_);
 }
 
-std::string scale_bar_words(bool outdoors, const Telling& how, double hand_scale, double workspace_heading_rad) {
+std::string scale_bar_words(bool outdoors, const DescriptionStyle& how, double hand_scale,
+                            double workspace_heading_rad) {
     const double bar_m = outdoors ? kBarOutdoors_m : kBarSteps * how.distances.step_length_m;
     const long steps = outdoors ? std::lround(bar_m / how.distances.step_length_m) : kBarSteps;
     // In compass words, the direction of north would be "north", so it is announced as a side of the person.
@@ -223,7 +225,7 @@ std::string scale_bar_words(bool outdoors, const Telling& how, double hand_scale
             phrase(outdoors ? "questions.bar_outdoors" : "questions.bar", {{"steps", steps}, {"metres", bar_m}});
         return bar + " " + phrase("questions.north", {{"direction", north}});
     }
-    const double turn_deg = std::abs(told_turn_deg(0.0, workspace_heading_rad, how.distances.rounded));
+    const double turn_deg = std::abs(spoken_turn_deg(0.0, workspace_heading_rad, how.distances.rounded));
     const bool clock = choice == settings::DirectionChoice::Clock;
     const std::string under_hand = !clock && turn_deg == 0.0 ? phrase("questions.away_from_you")
                                    : !clock && turn_deg == 180.0

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "app/core/dialogue/words.h"
-#include "app/core/world/body_meets.h"
+#include "app/core/world/walker_meets.h"
 
 namespace handrail::core {
 
@@ -27,7 +27,7 @@ struct Doorway {
     Vec3 place_m{0.0};
 };
 
-struct Asker {
+struct Viewpoint {
     const WalkerWorld& world;
     Vec3 feet_m{0.0};
     double heading_rad = 0.0;
@@ -48,22 +48,22 @@ struct Sight {
 
 // Returns things and named sounds in line of sight, the nearest first, at most `most`. If several have the same name,
 // only the nearest of them is included.
-std::vector<Sight> in_sight(const Asker& asker, std::size_t most);
+std::vector<Sight> in_sight(const Viewpoint& viewpoint, std::size_t most);
 // Returns what a walker would bump into straight in this direction, or no value if nothing is within kSightRange_m.
-std::optional<Sight> sight_along(const Asker& asker, double bearing_rad);
+std::optional<Sight> sight_along(const Viewpoint& viewpoint, double bearing_rad);
 
 // For "around me". Returns one entry for each of the quarters ahead, right, behind and left. The entry is the nearest
 // thing, or else what a straight ray hits, or else no value.
-std::array<std::optional<Sight>, 4> around(const Asker& asker);
+std::array<std::optional<Sight>, 4> around(const Viewpoint& viewpoint);
 // For "ahead of me". Returns everything within 45 degrees of straight ahead, including the wall, the nearest first, at
 // most kMostAhead.
-std::vector<Sight> ahead(const Asker& asker);
+std::vector<Sight> ahead(const Viewpoint& viewpoint);
 // For "look". Returns at most two things within 11.25 degrees of this bearing, the nearest first. If a straight ray
 // hits something farther away, the list ends with that.
-std::vector<Sight> look_towards(const Asker& asker, double bearing_rad);
+std::vector<Sight> look_towards(const Viewpoint& viewpoint, double bearing_rad);
 
 // How the person wants things to be announced.
-struct Telling {
+struct DescriptionStyle {
     int verbosity = 2;
     settings::DirectionChoice directions = settings::DirectionChoice::Sides;
     DistanceWords distances;
@@ -71,9 +71,9 @@ struct Telling {
 };
 // Returns the announcement of a thing. `state` is "shut", "open" and so on, or empty if the thing has no state. Left
 // and right are as seen from the person's place.
-std::string tell(const Sight& sight, const std::string& state, const Telling& how);
+std::string describe(const Sight& sight, const std::string& state, const DescriptionStyle& how);
 // Returns the announcement without the direction, which has already been announced: "table, 2 steps".
-std::string tell_there(const Sight& sight, const std::string& state, const Telling& how);
+std::string describe_there(const Sight& sight, const std::string& state, const DescriptionStyle& how);
 // Returns "hinged left, handle right" for a door seen in this direction, or an empty text if the world does not state
 // these sides.
 std::string sides_of_door(const Feature& door, double bearing_rad);
@@ -100,7 +100,8 @@ private:
 // Returns "5 steps are 3.5 metres.", the direction of north, and with a hand also that length under the hand. The
 // length is 5 steps indoors and 25 metres outdoors. `hand_scale` is in world metres per hand metre, 0 without a hand.
 // `workspace_heading_rad` is the world direction that is "away from you" for the hand.
-std::string scale_bar_words(bool outdoors, const Telling& how, double hand_scale, double workspace_heading_rad);
+std::string scale_bar_words(bool outdoors, const DescriptionStyle& how, double hand_scale,
+                            double workspace_heading_rad);
 // Returns the position relative to the origin of the world: "3.0 metres east, 0.5 metres north, height 0 metres."
 std::string coordinates_words(const Vec3& place_m);
 // Returns the height of a place above the nearest floor below it, 0 to 100 m. Returns no value if there is no floor

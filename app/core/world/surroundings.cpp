@@ -98,7 +98,7 @@ std::vector<Seen> things_in_sight(const WalkerWorld& world, const Vec3& feet_m, 
         std::push_heap(open.begin(), open.end(), farther);
     };
     const auto add_feature = [&](FeatureId id, const Aabb& around, std::uint32_t hider) {
-        if (const Feature* feature = scene.find(id); feature && told_when_seen(*feature))
+        if (const Feature* feature = scene.find(id); feature && named_when_seen(*feature))
             add({nearest_m(feature->bounds_m), What::Feature, id.value, around, hider});
     };
     if (!standing.tree.empty())

@@ -13,7 +13,7 @@ constexpr double kSteepest = 0.7;
 constexpr double kFarthest_m = 4.0;  // largest distance at which a wall is searched for
 // A wall within this distance on the requested side is preferred to a nearer wall elsewhere.
 constexpr double kArm_m = 0.8;
-constexpr double kWallGone_m = 0.35;     // if the wall is farther from the walker's side than this, it has ended
+constexpr double kWallEnds_m = 0.35;     // if the wall is farther from the walker's side than this, it has ended
 constexpr double kStep_m = 0.05;         // distance between two probes past an opening
 constexpr double kLeastRecess_m = 0.06;  // if the wall recedes by more than this, there is an opening
 constexpr double kCornerCosine = 0.87;   // cosine of 30 degrees; a larger change of direction is a corner
@@ -85,7 +85,7 @@ void Trail::name(const WalkerWorld& world, const Vec3& feet_m, const WalkerSize&
                  std::vector<TrailEvent>& events) {
     const Vec3 from = above_steps(feet_m, body);
     const WalkerShape probe{kProbe_m, body.height_m - body.step_up_m - 0.3};
-    const TraceHit hit = world.trace(from, from - normal_ * (body.radius_m + kWallGone_m), probe);
+    const TraceHit hit = world.trace(from, from - normal_ * (body.radius_m + kWallEnds_m), probe);
     if (!is_wall(hit) || !hit.feature) return;
     const Feature* feature = world.scene().find(hit.feature);
     const bool wall = feature != nullptr && feature->kind == FeatureKind::Wall;
@@ -99,18 +99,18 @@ void Trail::name(const WalkerWorld& world, const Vec3& feet_m, const WalkerSize&
     wall_normal_ = normal;
 }
 
-TrailWay Trail::tick(const WalkerWorld& world, const Vec3& feet_m, double facing_rad, const WalkerSize& body,
-                     double speed_m_per_s, double dt_s, std::vector<TrailEvent>& events) {
+TrailMotion Trail::tick(const WalkerWorld& world, const Vec3& feet_m, double facing_rad, const WalkerSize& body,
+                        double speed_m_per_s, double dt_s, std::vector<TrailEvent>& events) {
     const WalkerShape shape = shape_above_steps(body);
     const Vec3 from = above_steps(feet_m, body);
     const double stride = speed_m_per_s * dt_s;
     touching_ = false;
-    TrailWay way{Vec3(0.0), heading_of(along())};
+    TrailMotion way{Vec3(0.0), heading_of(along())};
     if (!active_) return way;
 
     // 1. Go to the wall.
     if (!near_) {
-        const auto wall = side_of(world, from, -normal_, kFarthest_m + kWallGone_m, shape);
+        const auto wall = side_of(world, from, -normal_, kFarthest_m + kWallEnds_m, shape);
         if (!wall) {
             active_ = false;
             events.push_back({TrailEvent::Kind::Ends, kNoFeature, feet_m});
@@ -119,7 +119,7 @@ TrailWay Trail::tick(const WalkerWorld& world, const Vec3& feet_m, double facing
         normal_ = wall->normal;
         way.heading_rad = heading_of(along());
         if (wall->distance_m > kGap_m + 0.01) {
-            way.wish_m_per_s = -normal_ * std::min(speed_m_per_s, (wall->distance_m - kGap_m) / dt_s);
+            way.intended_m_per_s = -normal_ * std::min(speed_m_per_s, (wall->distance_m - kGap_m) / dt_s);
             return way;
         }
         near_ = true;
@@ -142,11 +142,11 @@ TrailWay Trail::tick(const WalkerWorld& world, const Vec3& feet_m, double facing
     // 3. Go past an opening.
     if (bridge_m_ > 0.0) {
         bridge_m_ -= stride;
-        way.wish_m_per_s = along() * speed_m_per_s;
+        way.intended_m_per_s = along() * speed_m_per_s;
         return way;
     }
     // 4. Follow the wall.
-    const double reach = kGap_m + kWallGone_m;
+    const double reach = kGap_m + kWallEnds_m;
     const auto beside = side_of(world, from, -normal_, reach, shape);
     const bool bends = beside && glm::dot(beside->normal, normal_) < 0.98;
     if (beside && (bends || beside->distance_m < kGap_m + kLeastRecess_m || round_m_ > 0.0)) {
@@ -155,14 +155,14 @@ TrailWay Trail::tick(const WalkerWorld& world, const Vec3& feet_m, double facing
         else round_m_ = std::max(0.0, round_m_ - stride);
         way.heading_rad = heading_of(along());
         const double pull = std::clamp((beside->distance_m - kGap_m) / dt_s, -0.5 * speed_m_per_s, 0.5 * speed_m_per_s);
-        way.wish_m_per_s = along() * speed_m_per_s - normal_ * pull;
+        way.intended_m_per_s = along() * speed_m_per_s - normal_ * pull;
         touching_ = true;
         name(world, feet_m, body, events);
         return way;
     }
     if (round_m_ > 0.0) {
         round_m_ -= stride;
-        way.wish_m_per_s = along() * speed_m_per_s;
+        way.intended_m_per_s = along() * speed_m_per_s;
         if (round_m_ <= 0.0) {
             active_ = false;
             events.push_back({TrailEvent::Kind::Ends, kNoFeature, feet_m});
@@ -177,7 +177,7 @@ TrailWay Trail::tick(const WalkerWorld& world, const Vec3& feet_m, double facing
         bridge_m_ = further;
         const Vec3 middle = from + along() * (0.5 * further);
         const WalkerShape probe{kProbe_m, body.height_m - body.step_up_m - 0.3};
-        const TraceHit inside = world.trace(middle, middle - normal_ * (body.radius_m + 2.0 * kWallGone_m), probe);
+        const TraceHit inside = world.trace(middle, middle - normal_ * (body.radius_m + 2.0 * kWallEnds_m), probe);
         const bool shut = is_wall(inside) && inside.feature;
         if (shut) {
             feature_ = inside.feature;
@@ -186,7 +186,7 @@ TrailWay Trail::tick(const WalkerWorld& world, const Vec3& feet_m, double facing
             events.push_back({TrailEvent::Kind::Opening, kNoFeature, middle - normal_ * body.radius_m,
                               further + 2.0 * body.radius_m});
         }
-        way.wish_m_per_s = along() * speed_m_per_s;
+        way.intended_m_per_s = along() * speed_m_per_s;
         return way;
     }
     if (beside) {  // The wall recedes into a niche that is too wide to pass, so the walker enters the niche.
@@ -195,7 +195,7 @@ TrailWay Trail::tick(const WalkerWorld& world, const Vec3& feet_m, double facing
     }
     // 6. Go round an outer corner. The end of the wall faces in the direction of movement.
     normal_ = along();
-    round_m_ = 2.0 * body.radius_m + kWallGone_m + 0.3;
+    round_m_ = 2.0 * body.radius_m + kWallEnds_m + 0.3;
     way.heading_rad = heading_of(along());
     return way;
 }

@@ -27,8 +27,8 @@ struct TrailEvent {
 };
 
 // How the walker should move now.
-struct TrailWay {
-    Vec3 wish_m_per_s{0.0};
+struct TrailMotion {
+    Vec3 intended_m_per_s{0.0};
     double heading_rad = 0.0;  // direction to face; if it is very different from the present one, the walker only turns
 };
 
@@ -45,8 +45,8 @@ public:
     void turn_round();
     // Returns how the walker should move, and appends to `events`. Call it while the walker is on the ground and should
     // continue. `facing_rad` is the present direction of the walker.
-    TrailWay tick(const WalkerWorld& world, const Vec3& feet_m, double facing_rad, const WalkerSize& body,
-                  double speed_m_per_s, double dt_s, std::vector<TrailEvent>& events);
+    TrailMotion tick(const WalkerWorld& world, const Vec3& feet_m, double facing_rad, const WalkerSize& body,
+                     double speed_m_per_s, double dt_s, std::vector<TrailEvent>& events);
     // Returns the horizontal normal out of the wall that the walker's side follows, for tests and for learning.
     const Vec3& wall_normal() const { return normal_; }
     bool touching() const { return touching_; }  // returns true if the walker's side is at the wall

@@ -32,7 +32,7 @@ Vec3 on_top_of_m(const WalkerWorld& world, const Vec3& feet_m, double height_m) 
 
 }  // namespace
 
-WalkerSize body_size(const Scene& scene, double radius_m) {
+WalkerSize walker_size(const Scene& scene, double radius_m) {
     contract_pre(radius_m > 0.0);
     WalkerSize size;
     size.radius_m = radius_m;
@@ -102,14 +102,14 @@ void Walker::place(const Vec3& feet_m) {
     fall_from_z_ = state_.feet_m.z;
 }
 
-WalkResult Walker::tick(const Vec3& wish_m_per_s, double dt_s) {
-    contract_pre(is_finite(wish_m_per_s));
+WalkResult Walker::tick(const Vec3& intended_m_per_s, double dt_s) {
+    contract_pre(is_finite(intended_m_per_s));
     contract_pre(dt_s >= 0.0 && dt_s <= 0.1 + 1e-9);
     WalkResult result;
     const Vec3 start = state_.feet_m;
     const bool stood = state_.on_ground;
-    Vec3 motion{wish_m_per_s.x * dt_s, wish_m_per_s.y * dt_s, 0.0};
-    const double wished = horizontal_length(motion);
+    Vec3 motion{intended_m_per_s.x * dt_s, intended_m_per_s.y * dt_s, 0.0};
+    const double intended = horizontal_length(motion);
     if (!stood) {
         state_.fall_speed_m_per_s =
             std::min(kTerminalSpeed_m_per_s, state_.fall_speed_m_per_s + kGravity_m_per_s2 * dt_s);
@@ -117,7 +117,7 @@ WalkResult Walker::tick(const Vec3& wish_m_per_s, double dt_s) {
     }
 
     Slide way = slide(start, motion);
-    if (stood && way.first_wall && wished > 0.0) {
+    if (stood && way.first_wall && intended > 0.0) {
         // Tries to go one step up, forward, and down again. Stores the result if it leads farther and ends on walkable
         // ground. Under a low lintel, a high step would push the head into the lintel, so the function tries lower
         // steps after that.
@@ -128,9 +128,9 @@ WalkResult Walker::tick(const Vec3& wish_m_per_s, double dt_s) {
             const TraceHit up = world_.trace(start, start + Vec3(0.0, 0.0, lift_m), shape());
             const Slide high = slide(up.end_m, motion);
             const TraceHit down = world_.trace(high.end_m, high.end_m - Vec3(0.0, 0.0, up.end_m.z - start.z), shape());
-            const double low_way = horizontal_length(way.end_m - start),
-                         high_way = horizontal_length(down.end_m - start);
-            if (!down.hit || down.normal.z < kWalkableNormalZ || high_way <= low_way + 1e-9) continue;
+            const double low_path = horizontal_length(way.end_m - start),
+                         high_path = horizontal_length(down.end_m - start);
+            if (!down.hit || down.normal.z < kWalkableNormalZ || high_path <= low_path + 1e-9) continue;
             result.climbed_m = std::max(0.0, down.end_m.z - start.z);
             way.end_m = down.end_m;
             way.first_wall = high.first_wall;
@@ -139,10 +139,10 @@ WalkResult Walker::tick(const Vec3& wish_m_per_s, double dt_s) {
     }
     state_.feet_m = way.end_m;
     result.walked_m = horizontal_length(state_.feet_m - start);
-    if (way.first_wall && wished > 0.0) {
+    if (way.first_wall && intended > 0.0) {
         result.met = way.first_wall;
-        const double into = -glm::dot(way.first_wall->normal, motion) / wished;
-        if (into > 0.5 || result.walked_m < 0.5 * wished) result.bump = way.first_wall;
+        const double into = -glm::dot(way.first_wall->normal, motion) / intended;
+        if (into > 0.5 || result.walked_m < 0.5 * intended) result.bump = way.first_wall;
     }
 
     // On stairs and slopes that lead down, the walker follows the ground for up to one step. A larger drop is a fall.

@@ -17,7 +17,7 @@ struct WalkerSize {
     double eye_height_m = 1.65;
 };
 // Returns the size of a walker for a building or a game, with the radius that the person has set.
-WalkerSize body_size(const Scene& scene, double radius_m);
+WalkerSize walker_size(const Scene& scene, double radius_m);
 
 struct WalkerMotion {
     Vec3 feet_m{0.0};
@@ -49,8 +49,8 @@ public:
         state_ = state;
         fall_from_z_ = state.feet_m.z;
     }
-    // `wish_m_per_s` is the intended horizontal velocity. `dt_s` is at most 0.1 s.
-    WalkResult tick(const Vec3& wish_m_per_s, double dt_s);
+    // `intended_m_per_s` is the intended horizontal velocity. `dt_s` is at most 0.1 s.
+    WalkResult tick(const Vec3& intended_m_per_s, double dt_s);
 
     const WalkerMotion& state() const { return state_; }
     const WalkerSize& size() const { return size_; }

@@ -43,7 +43,7 @@ const Scene& there(const std::shared_ptr<const Scene>& scene) {
 
 }  // namespace
 
-bool told_when_seen(const Feature& feature) {
+bool named_when_seen(const Feature& feature) {
     const bool surface = feature.kind == FeatureKind::Wall || feature.kind == FeatureKind::Floor ||
                          feature.kind == FeatureKind::Ceiling || feature.kind == FeatureKind::Slope;
     return !feature.bounds_m.empty() && feature.kind != FeatureKind::Trigger && !is_outer_ground(feature) &&
@@ -90,7 +90,7 @@ std::shared_ptr<const WalkerWorld::Building> WalkerWorld::built(const Scene& sce
     for (const PlacedModel& thing : scene.placed)
         if (thing.feature.value < moves.size()) moves[thing.feature.value] = true;
     for (std::uint32_t i = 0; i < scene.features.size(); ++i) {
-        if (moves[i] || !told_when_seen(scene.features[i])) continue;
+        if (moves[i] || !named_when_seen(scene.features[i])) continue;
         boxes[i].include(scene.features[i].bounds_m);
         made->sights.features.push_back(FeatureId{i});
         made->sights.boxes.push_back(boxes[i]);

@@ -41,7 +41,7 @@ struct Crossing {
 
 // Returns true for features that the answer to "what is around" may name: doors, landmarks, clues, liquids and things,
 // but not bare walls.
-bool told_when_seen(const Feature& feature);
+bool named_when_seen(const Feature& feature);
 
 class WalkerWorld {
 public:

@@ -23,14 +23,14 @@ Scene with_things(const Scene& scene, const ThingsNow& now) {
     return world;
 }
 
-void rebuild_solids(WorldState& world, WalkerState& body) {
-    const WalkerMotion stood = body.walker->state();
+void rebuild_solids(WorldState& world, WalkerState& avatar) {
+    const WalkerMotion stood = avatar.walker->state();
     // The walker keeps its size, because a larger walker might be inside a wall.
-    const WalkerSize size = body.walker->size();
-    body.walker.reset();
+    const WalkerSize size = avatar.walker->size();
+    avatar.walker.reset();
     world.solids = std::make_unique<WalkerWorld>(*world.solids, world.scene, world.things.all());
-    body.walker = std::make_unique<Walker>(*world.solids, size);
-    body.walker->resume(stood);
+    avatar.walker = std::make_unique<Walker>(*world.solids, size);
+    avatar.walker->resume(stood);
 }
 
 }  // namespace handrail::core

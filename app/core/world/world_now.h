@@ -20,6 +20,6 @@ Scene with_things(const Scene& scene, const ThingsNow& now);
 inline Scene world_now(const WorldState& world) { return with_things(*world.scene, things_now(world)); }
 
 // Rebuilds the solids. Call it after anything in the world has moved. The walker stays where it is.
-void rebuild_solids(WorldState& world, WalkerState& body);
+void rebuild_solids(WorldState& world, WalkerState& avatar);
 
 }  // namespace handrail::core

@@ -25,7 +25,7 @@ public:
         constexpr double kArrived_m = 1e-9;
         const Vec3 goal = goal_m - scene_.origin_m;
         if (!placed_) {
-            ball_ = goal;
+            proxy_ = goal;
             placed_ = true;
         }
         bool touched = false;
@@ -33,8 +33,8 @@ public:
         while (rounds < most_rounds_) {
             ++rounds;
             walls_.clear();
-            nearby_.within(ball_, radius_m_ + kTouched_m, [&](std::uint32_t obstacle) {
-                const ClosestPoint closest = scene_.closest(obstacle, ball_);
+            nearby_.within(proxy_, radius_m_ + kTouched_m, [&](std::uint32_t obstacle) {
+                const ClosestPoint closest = scene_.closest(obstacle, proxy_);
                 if (closest.distance_m - radius_m_ > kTouched_m) return;
                 // The plane is relative to the proxy's centre and offset by the skin.
                 walls_.push_back({closest.normal, kSkin_m - (closest.distance_m - radius_m_)});
@@ -42,19 +42,19 @@ public:
             touched = touched || !walls_.empty();
             ProjectionBasis basis;
             const bool solved = project_on_half_spaces(
-                goal - ball_, static_cast<int>(walls_.size()),
+                goal - proxy_, static_cast<int>(walls_.size()),
                 [this](int i) { return walls_[static_cast<std::size_t>(i)]; }, basis);
             const Vec3 way = basis.point_m;
             if (!solved || glm::dot(way, way) < kArrived_m * kArrived_m) break;
             double first = kNoHit;
-            nearby_.within(ball_, glm::length(way) + radius_m_, [&](std::uint32_t obstacle) {
+            nearby_.within(proxy_, glm::length(way) + radius_m_, [&](std::uint32_t obstacle) {
                 Vec3 normal(0.0);
-                first = std::min(first, time_of_impact(scene_, obstacle, ball_, way, radius_m_, normal));
+                first = std::min(first, time_of_impact(scene_, obstacle, proxy_, way, radius_m_, normal));
             });
-            ball_ += way * std::min(first, 1.0);
+            proxy_ += way * std::min(first, 1.0);
             if (first > 1.0 && walls_.empty()) break;
         }
-        return {!touched && ball_ == goal ? goal_m : scene_.origin_m + ball_, rounds};
+        return {!touched && proxy_ == goal ? goal_m : scene_.origin_m + proxy_, rounds};
     }
 
 private:
@@ -63,7 +63,7 @@ private:
     int most_rounds_;
     Nearby nearby_;
     std::vector<HalfSpace> walls_;
-    Vec3 ball_{0.0};
+    Vec3 proxy_{0.0};
     bool placed_ = false;
 };
 

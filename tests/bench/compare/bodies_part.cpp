@@ -101,7 +101,7 @@ BodiesMeasured measured(Way way, double kg) {
     feel.world_m_per_hand_m = kScale;
     feel.felt_gain = kGain;
     feel.ceiling_n = 1e9;
-    feel.ball_m = tuning.radius_m;
+    feel.proxy_radius_m = tuning.radius_m;
     BodiesInReach bodies(0);
     bodies.enter(world.moves.get());
     HandPushRing pushes;
@@ -149,7 +149,7 @@ BodiesMeasured measured(Way way, double kg) {
         }
         last_x_m = x_m;
         last_n = f_n;
-        engine.place_hand(0, {hand_m, way == Way::Model ? feel.ball_m : 0.0, 0.0});
+        engine.place_hand(0, {hand_m, way == Way::Model ? feel.proxy_radius_m : 0.0, 0.0});
         for (HandPush push; pushes.pop(push);) engine.push(0, push);
         while (engine.time_s() + step_s <= now_s + 1e-9) {
             if (way != Way::Model && summed > 0) {

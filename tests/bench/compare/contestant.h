@@ -22,7 +22,7 @@ struct Contestant {
     std::string title;  // for example "Handrail, the whole touch tick"
     std::string knob;   // parameter that is varied, for example "rounds" or "margin_m"; empty: none
     double knob_value = 0.0;
-    bool has_ball = true;  // false for a penalty method, which has no proxy that could stay outside
+    bool has_proxy = true;  // false for a penalty method, which has no proxy that could stay outside
     void* (*make)(const BenchWorld&, double knob_value) = nullptr;
     TickOutcome (*tick)(void* state, const Vec3& goal_m) = nullptr;
     void (*drop)(void* state) = nullptr;
@@ -31,12 +31,12 @@ struct Contestant {
 // Makes a contestant from a class with State(const BenchWorld&, double) and tick(goal).
 template <class State>
 Contestant contestant(std::string key, std::string title, std::string knob = {}, double knob_value = 0.0,
-                      bool has_ball = true) {
+                      bool has_proxy = true) {
     return {std::move(key),
             std::move(title),
             std::move(knob),
             knob_value,
-            has_ball,
+            has_proxy,
             [](const BenchWorld& world, double value) -> void* { return new State(world, value); },
             [](void* state, const Vec3& goal_m) { return static_cast<State*>(state)->tick(goal_m); },
             [](void* state) { delete static_cast<State*>(state); }};

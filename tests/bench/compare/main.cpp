@@ -30,7 +30,7 @@ int refuse(const Error& error) {
 }
 
 // Returns true if `written` succeeded. Otherwise prints its error on stderr and returns false.
-bool told(const Result<void>& written) { return written || refuse(written.error()) == 0; }
+bool reported(const Result<void>& written) { return written || refuse(written.error()) == 0; }
 
 int run(int argc, char** argv) {
     CLI::App app("Compares our renderer with others: speed against error.");
@@ -84,14 +84,15 @@ int run(int argc, char** argv) {
     if (svg_folder) {
         fs::create_directories(*svg_folder);
         for (const auto& [name, content] : plots_of(report))
-            written = told(write_file_atomically(*svg_folder / name, content)) && written;
+            written = reported(write_file_atomically(*svg_folder / name, content)) && written;
     }
     if (markdown) {
         fs::path families = *markdown;
         families.replace_filename(markdown->stem().string() + "-families" + markdown->extension().string());
-        written = told(write_named_file_atomically(*markdown, markdown_of(report, families.filename().string()))) &&
-                  told(write_file_atomically(families, families_markdown_of(report, markdown->filename().string()))) &&
-                  written;
+        written =
+            reported(write_named_file_atomically(*markdown, markdown_of(report, families.filename().string()))) &&
+            reported(write_file_atomically(families, families_markdown_of(report, markdown->filename().string()))) &&
+            written;
     }
     return written ? 0 : 1;
 }

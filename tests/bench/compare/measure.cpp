@@ -121,7 +121,7 @@ Measured measure(const BenchWorld& world, const Truth& truth, const Contestant& 
     out.title = contestant.title;
     out.knob = contestant.knob;
     out.knob_value = contestant.knob_value;
-    out.has_ball = contestant.has_ball && world.judged;
+    out.has_proxy = contestant.has_proxy && world.judged;
     const std::size_t ticks = out.ticks = world.goals_m.size();
     if (ticks == 0) return out;
     time_it(world, contestant, passes, out);
@@ -171,7 +171,7 @@ Measured measure(const BenchWorld& world, const Truth& truth, const Contestant& 
             largest_angle = std::max(largest_angle, angle);
             ++angles;
         }
-        if (out.has_ball && i % stride == 0)
+        if (out.has_proxy && i % stride == 0)
             out.penetration_m =
                 std::max(out.penetration_m, static_cast<double>(static_cast<long double>(world.radius_m) -
                                                                 world.judge.distance(outcomes[i].tool_m, 0.02L)));

@@ -19,7 +19,7 @@ struct Measured {
     std::string scene, family, renderer, title, knob;
     std::uint32_t seed = 0;
     double knob_value = 0.0;
-    bool has_ball = true;  // the renderer has a proxy, which can be tested for penetration
+    bool has_proxy = true;  // the renderer has a proxy, which can be tested for penetration
     std::size_t ticks = 0;
     double mean_s = 0.0, p50_s = 0.0, p999_s = 0.0, worst_s = 0.0;
     double mean_rounds = 0.0;

@@ -5,16 +5,16 @@
 namespace handrail::bench {
 
 std::vector<Vec3> reference_walk(const BenchWorld& world, double most_work) {
-    std::vector<Vec3> balls;
+    std::vector<Vec3> proxies;
     if (!world.judged || world.goals_m.empty() || world.judge.distance(world.goals_m.front(), 1.0L) < world.radius_m)
-        return balls;
+        return proxies;
     test::ReferenceProxy proxy(world.judge, world.goals_m.front(), world.radius_m);
-    balls.reserve(world.goals_m.size());
+    proxies.reserve(world.goals_m.size());
     for (const Vec3& goal : world.goals_m) {
-        balls.push_back(proxy.follow(goal));
+        proxies.push_back(proxy.follow(goal));
         if (proxy.work() > most_work) return {};
     }
-    return balls;
+    return proxies;
 }
 
 }  // namespace handrail::bench

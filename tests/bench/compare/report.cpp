@@ -39,7 +39,7 @@ std::vector<Summary> summarise(const BenchReport& report, bool by_family, Chosen
             found->title = m.title;
             found->knob = m.knob;
             found->knob_value = m.knob_value;
-            found->has_ball = m.has_ball;
+            found->has_proxy = m.has_proxy;
         }
         Summary& s = *found;
         ++s.scenes;
@@ -119,7 +119,7 @@ std::vector<std::string> cells(const Summary& s) {
             known ? length_words(s.error_rms_m) : "-",
             known ? length_words(s.error_max_m) : "-",
             known ? fmt::format("{:.2g} %", 100.0 * s.off_share) : "-",
-            s.has_ball                    ? length_words(std::max(0.0, s.penetration_m))
+            s.has_proxy                   ? length_words(std::max(0.0, s.penetration_m))
             : s.renderer == "penalty_sum" ? "no ball"
                                           : "-",
             known ? std::to_string(s.wrong_holds) : "-",
@@ -462,7 +462,7 @@ std::string json_of(const BenchReport& report) {
         one["error_max_m"] = or_null(m.referenced, m.error_max_m);
         one["share_off_by_10_um"] = or_null(m.referenced, m.off_share);
         one["wrong_holds"] = m.referenced ? Json(m.wrong_holds) : Json(nullptr);
-        one["penetration_m"] = or_null(m.has_ball, m.penetration_m);
+        one["penetration_m"] = or_null(m.has_proxy, m.penetration_m);
         one["work_given_j"] = or_null(m.given_j.has_value(), m.given_j.value_or(0.0));
         if (m.direction_error_rms_rad) {
             one["direction_error_rms_rad"] = *m.direction_error_rms_rad;

@@ -16,7 +16,7 @@ namespace handrail::bench {
 struct Summary {
     std::string family, renderer, title, knob;
     double knob_value = 0.0;
-    bool has_ball = true;
+    bool has_proxy = true;
     int scenes = 0, referenced = 0, wrong_holds = 0;
     double mean_s = 0.0, p999_s = 0.0, worst_s = 0.0, error_rms_m = 0.0, error_max_m = 0.0, off_share = 0.0,
            penetration_m = 0.0, largest_jump_n = 0.0, largest_gain = 0.0;

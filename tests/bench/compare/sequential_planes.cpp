@@ -21,54 +21,54 @@ public:
     TickOutcome tick(const Vec3& goal_m) {
         const Vec3 goal = goal_m - scene_.origin_m;
         if (!placed_) {
-            ball_ = goal;
+            proxy_ = goal;
             placed_ = true;
         }
         std::array<Vec3, 3> normals;
         std::size_t planes = 0;
-        Vec3 wish = goal;
+        Vec3 wanted = goal;
         bool touched = false;
         int rounds = 0;
         while (rounds < 64) {
             ++rounds;
-            const Vec3 way = wish - ball_;
+            const Vec3 way = wanted - proxy_;
             if (glm::dot(way, way) < 1e-24) break;
             double first = kNoHit;
             Vec3 normal(0.0);
-            nearby_.within(ball_, glm::length(way) + radius_m_, [&](std::uint32_t obstacle) {
+            nearby_.within(proxy_, glm::length(way) + radius_m_, [&](std::uint32_t obstacle) {
                 Vec3 n(0.0);
-                const double part = time_of_impact(scene_, obstacle, ball_, way, radius_m_, n);
+                const double part = time_of_impact(scene_, obstacle, proxy_, way, radius_m_, n);
                 if (part < first || (part == first && part < kNoHit && glm::dot(n, way) < glm::dot(normal, way))) {
                     first = part;
                     normal = n;
                 }
             });
             if (first > 1.0) {
-                ball_ = wish;
+                proxy_ = wanted;
                 break;
             }
             touched = true;
-            ball_ += way * first;
+            proxy_ += way * first;
             normals[planes++] = normal;
             if (planes == 3) break;
-            const Vec3 pull = goal - ball_;
+            const Vec3 pull = goal - proxy_;
             if (planes == 1) {
-                wish = goal - normals[0] * glm::dot(pull, normals[0]);
+                wanted = goal - normals[0] * glm::dot(pull, normals[0]);
             } else {
                 const Vec3 line = glm::cross(normals[0], normals[1]);
                 const double length2 = glm::dot(line, line);
                 if (length2 < 1e-16) break;
-                wish = ball_ + line * (glm::dot(pull, line) / length2);
+                wanted = proxy_ + line * (glm::dot(pull, line) / length2);
             }
         }
-        return {!touched && ball_ == goal ? goal_m : scene_.origin_m + ball_, rounds};
+        return {!touched && proxy_ == goal ? goal_m : scene_.origin_m + proxy_, rounds};
     }
 
 private:
     const HapticScene& scene_;
     double radius_m_;
     Nearby nearby_;
-    Vec3 ball_{0.0};
+    Vec3 proxy_{0.0};
     bool placed_ = false;
 };
 

@@ -42,11 +42,11 @@ public:
     TickOutcome tick(const Vec3& goal_m) {
         const F3 goal(goal_m - scene_.origin_m);
         if (!placed_) {
-            ball_ = goal;
+            proxy_ = goal;
             placed_ = true;
         }
-        const float reach = static_cast<float>(world_.radius_m) + glm::length(goal - ball_);
-        if (!(glm::length(ball_ - centre_) + reach <= known_)) {
+        const float reach = static_cast<float>(world_.radius_m) + glm::length(goal - proxy_);
+        if (!(glm::length(proxy_ - centre_) + reach <= known_)) {
             gather(reach + margin_);
             if (cuts_.size() > Nearby::kComfortable)
                 margin_ = std::max(static_cast<float>(Nearby::kLeastMargin_m), 0.5F * margin_);
@@ -58,18 +58,18 @@ public:
         while (rounds < 64) {
             ++rounds;
             const bool solved = project_on_half_spaces(
-                goal - ball_, static_cast<int>(cuts_.size()),
+                goal - proxy_, static_cast<int>(cuts_.size()),
                 [&](int i) {
                     const Cut& cut = cuts_[static_cast<std::size_t>(i)];
-                    return Cut{cut.normal, cut.offset_m + radius_ - glm::dot(cut.normal, ball_)};
+                    return Cut{cut.normal, cut.offset_m + radius_ - glm::dot(cut.normal, proxy_)};
                 },
                 basis_);
             F3 way = basis_.point_m;
             if (!solved) way *= part_inside(way);
-            ball_ += way;
+            proxy_ += way;
             if (basis_.count == 0 || !renew(goal)) break;
         }
-        return {basis_.count == 0 && ball_ == goal ? goal_m : scene_.origin_m + Vec3(ball_), rounds};
+        return {basis_.count == 0 && proxy_ == goal ? goal_m : scene_.origin_m + Vec3(proxy_), rounds};
     }
 
 private:
@@ -80,15 +80,15 @@ private:
         cuts_.clear();
         looked_ahead_.clear();
         basis_.count = 0;
-        const Vec3 at(ball_);
+        const Vec3 at(proxy_);
         scene_.obstacle_bvh.within(at, reach, [&](std::uint32_t item, double&) {
             if (scene_.closest(item, at).distance_m > reach) return;
             shapes_.push_back(shape_of(item));
-            const Closest closest = nearest(shapes_.back(), ball_);
+            const Closest closest = nearest(shapes_.back(), proxy_);
             cuts_.push_back({closest.normal, glm::dot(closest.normal, closest.point)});
             looked_ahead_.push_back(0);
         });
-        centre_ = ball_;
+        centre_ = proxy_;
         known_ = reach;
     }
 
@@ -171,7 +171,7 @@ private:
         for (const Cut& cut : cuts_) {
             const float towards = -glm::dot(cut.normal, way);
             if (towards <= 0.0F) continue;
-            const float gap = std::max(0.0F, glm::dot(cut.normal, ball_) - cut.offset_m - radius_);
+            const float gap = std::max(0.0F, glm::dot(cut.normal, proxy_) - cut.offset_m - radius_);
             if (gap < part * towards) part = gap / towards;
         }
         return part;
@@ -191,12 +191,12 @@ private:
                 goal, held.count - 1, [&](int i) { return wall((k + 1 + i) % held.count); }, rest);
             ahead[static_cast<std::size_t>(k)] = rest.point_m;
         }
-        const F3 pull = goal - ball_;
+        const F3 pull = goal - proxy_;
         bool stale = false;
         for (int k = 0; k < held.count; ++k) {
             const auto i = static_cast<std::size_t>(held.index[static_cast<std::size_t>(k)]);
             const F3 old = cuts_[i].normal;
-            Closest closest = nearest(shapes_[i], ball_);
+            Closest closest = nearest(shapes_[i], proxy_);
             cuts_[i] = {closest.normal, glm::dot(closest.normal, closest.point)};
             const bool apart = closest.distance - radius_ > kTouching;
             if (apart && looked_ahead_[i] != tick_) {
@@ -204,7 +204,7 @@ private:
                 closest = nearest(shapes_[i], ahead[static_cast<std::size_t>(k)]);
                 const Cut further{closest.normal, glm::dot(closest.normal, closest.point)};
                 if (closest.distance > 1e-12F &&
-                    glm::dot(further.normal, ball_) - further.offset_m >= radius_ - kProjectionToleranceOf<float>)
+                    glm::dot(further.normal, proxy_) - further.offset_m >= radius_ - kProjectionToleranceOf<float>)
                     cuts_[i] = further;
             }
             const F3 turn = cuts_[i].normal - old;
@@ -217,7 +217,7 @@ private:
     const HapticScene& scene_;
     float radius_;
     bool placed_ = false;
-    F3 ball_{0.0F}, centre_{0.0F};
+    F3 proxy_{0.0F}, centre_{0.0F};
     float known_ = -1.0F;
     float margin_ = static_cast<float>(Nearby::kMargin_m);
     std::uint64_t tick_ = 0;

@@ -45,7 +45,7 @@ int main() {
     tuning.default_friction_static = tuning.default_friction_kinetic = 0.3;
     BodyFeel feel;
     feel.world_m_per_hand_m = tuning.world_m_per_hand_m;
-    feel.ball_m = tuning.radius_m;
+    feel.proxy_radius_m = tuning.radius_m;
     BodiesInReach bodies(0);
     bodies.enter(moving.get());
     HandPushRing pushes;
@@ -65,7 +65,7 @@ int main() {
         const TouchResult touch = touch_tick(state, *scene, tuning, hand_m, 1e-3, bodies.carried_m(), {poses, number});
         const Vec3 force_n = touch.force_n + bodies.grip_force_n(hand_m, 1e-3, feel);
         bodies.react(touch, 1.0, now_s, 1e-3, feel, pushes);
-        engine.place_hand(0, {hand_m, feel.ball_m, 0.0});
+        engine.place_hand(0, {hand_m, feel.proxy_radius_m, 0.0});
         for (HandPush push; pushes.pop(push);) engine.push(0, push);
         while (engine.time_s() + Dynamics::kStep_s <= now_s + 1e-3) engine.step(frame, events);
         if (tick % 40 != 0) continue;

@@ -50,9 +50,9 @@ TEST(Phrase, keeps_curly_brackets_and_apostrophes_of_values) {
 }
 
 TEST(InSpokenLanguage, returns_a_text_that_outlives_its_arguments) {
-    const std::string& told = in_spoken_language(std::string(100, 'x'), {});
+    const std::string& reported = in_spoken_language(std::string(100, 'x'), {});
     const std::string other(100, 'y');  // may reuse the memory of the first string
-    EXPECT_EQ(told, std::string(100, 'x'));
+    EXPECT_EQ(reported, std::string(100, 'x'));
 }
 
 TEST(BundledLanguages, are_listed_with_english_first_under_their_own_names) {
@@ -221,16 +221,16 @@ TEST(LanguageOfEnvironment, is_a_bundled_or_custom_language_and_is_found_without
     write(folder.path() / "nl.toml", "damaged = \"");
     write(folder.path() / "xx.toml", "");
     test::WithEnvironment environment("LC_ALL", nullptr);
-    const auto asked = [&](const char* locale) {
+    const auto language_for = [&](const char* locale) {
         environment.put(locale);
         return language_of_environment(folder.path());
     };
-    EXPECT_EQ(asked("de_DE.UTF-8"), "de");
-    EXPECT_EQ(asked("de@euro"), "de");
-    EXPECT_EQ(asked("nl_NL"), "nl");
-    EXPECT_EQ(asked("pt_BR.UTF-8"), "en");
-    EXPECT_EQ(asked("C.UTF-8"), "en");
-    EXPECT_EQ(asked("../xx"), "en");
+    EXPECT_EQ(language_for("de_DE.UTF-8"), "de");
+    EXPECT_EQ(language_for("de@euro"), "de");
+    EXPECT_EQ(language_for("nl_NL"), "nl");
+    EXPECT_EQ(language_for("pt_BR.UTF-8"), "en");
+    EXPECT_EQ(language_for("C.UTF-8"), "en");
+    EXPECT_EQ(language_for("../xx"), "en");
     environment.put("nl");
     EXPECT_EQ(language_of_environment({}), "en");
 }

@@ -12,7 +12,7 @@
 namespace handrail::bench {
 namespace contestants_test {
 
-BenchWorld world_of(const test::TouchWorld& world, const std::vector<Vec3>& way_points, double speed_m_per_s,
+BenchWorld world_of(const test::TouchWorld& world, const std::vector<Vec3>& path_points, double speed_m_per_s,
                     std::uint32_t seed = 0, double radius_m = 0.005) {
     std::mt19937 random(seed);
     const test::Motion motion = seed == 0 ? test::Motion{} : test::random_turn(random);
@@ -21,7 +21,7 @@ BenchWorld world_of(const test::TouchWorld& world, const std::vector<Vec3>& way_
     out.scene = world.scene(motion);
     out.judge = world.judge(motion);
     out.radius_m = radius_m;
-    for (const Vec3& goal : test::hand_path(way_points, speed_m_per_s)) out.goals_m.push_back(motion(goal));
+    for (const Vec3& goal : test::hand_path(path_points, speed_m_per_s)) out.goals_m.push_back(motion(goal));
     return out;
 }
 
@@ -35,7 +35,7 @@ test::TouchWorld three_boxes() {
 const std::vector<Vec3> kIntoCorner{
     {-.02, 0, .02}, {-.02, 0, -.004}, {.015, .001, -.004}, {.015, .025, -.004}, {-.02, 0, .02}};
 
-TEST(Contestants, that_keep_a_ball_outside_agree_in_a_corner_of_three_boxes) {
+TEST(Contestants, that_keep_a_proxy_outside_agree_in_a_corner_of_three_boxes) {
     for (const std::uint32_t seed : {0U, 1U, 2U}) {
         const BenchWorld world = world_of(three_boxes(), kIntoCorner, 0.1, seed);
         const Truth truth = truth_of(world, 1e9);
@@ -44,7 +44,7 @@ TEST(Contestants, that_keep_a_ball_outside_agree_in_a_corner_of_three_boxes) {
             const Measured m = measure(world, truth, contestant, 1, 1e7);
             SCOPED_TRACE(
                 fmt::format("{}, seed {}: error {} rms, {} at most", m.title, seed, m.error_rms_m, m.error_max_m));
-            if (!contestant.has_ball) continue;
+            if (!contestant.has_proxy) continue;
             EXPECT_EQ(m.wrong_holds, 0);
             EXPECT_LE(m.penetration_m, m.renderer == "single_precision" ? 1e-6 : 1e-9);
             EXPECT_LE(m.error_rms_m, m.renderer == "handrail" ? 1e-12 : 2e-4);
@@ -97,7 +97,7 @@ TEST(Contestants, overlapping_objects_add_up_their_penalty_stiffness) {
         const std::shared_ptr<void> state(c.make(world, c.knob_value), c.drop);
         Vec3 tool(0.0);
         for (const Vec3& goal : world.goals_m) tool = c.tick(state.get(), goal).tool_m;
-        EXPECT_NEAR(tool.x - .002, c.has_ball ? .003 : 3 * .003, 1e-9) << c.title;
+        EXPECT_NEAR(tool.x - .002, c.has_proxy ? .003 : 3 * .003, 1e-9) << c.title;
     }
 }
 
@@ -154,9 +154,9 @@ TEST(Reference, solution_follows_a_circle_round_an_edge) {
     test::TouchWorld box;
     box.box({-.05, -.05, -.1}, {.05, .05, 0});
     const BenchWorld world = world_of(box, {{.03, 0, .02}, {.03, 0, .003}, {.052, 0, .003}}, 0.1);
-    const std::vector<Vec3> balls = reference_walk(world, 1e9);
-    ASSERT_EQ(balls.size(), world.goals_m.size());
-    for (std::size_t i = 0; i < balls.size(); ++i) {
+    const std::vector<Vec3> proxies = reference_walk(world, 1e9);
+    ASSERT_EQ(proxies.size(), world.goals_m.size());
+    for (std::size_t i = 0; i < proxies.size(); ++i) {
         const Vec3 goal = world.goals_m[i];
         Vec3 wanted = goal.z < .005 ? Vec3(goal.x, 0, .005) : goal;
         if (goal.z < .005 && goal.x > .05)
@@ -164,7 +164,7 @@ TEST(Reference, solution_follows_a_circle_round_an_edge) {
                      (goal - Vec3(.05, 0, 0)) * (.005 / std::max(.005, glm::length(goal - Vec3(.05, 0, 0))));
         if (goal.z < .005 && goal.x > .05 && glm::length(goal - Vec3(.05, 0, 0)) < .005)
             wanted = Vec3(.05, 0, 0) + glm::normalize(goal - Vec3(.05, 0, 0)) * .005;
-        EXPECT_LE(glm::length(balls[i] - wanted), 1e-9) << i;
+        EXPECT_LE(glm::length(proxies[i] - wanted), 1e-9) << i;
     }
 }
 

@@ -30,7 +30,7 @@ struct World {
     explicit World(Scene read) : scene(std::move(read)) {
         const Result<void> valid = validate(scene);
         EXPECT_TRUE(valid) << valid.error().sentence();
-        Result<WalkSpace> found = make_walk_space(scene, walk_body(scene, 0.25, 1.8, 0.25));
+        Result<WalkSpace> found = make_walk_space(scene, walker_measures(scene, 0.25, 1.8, 0.25));
         EXPECT_TRUE(found) << found.error().sentence();
         if (!found) return;
         space = std::move(*found);
@@ -76,12 +76,12 @@ double short_of(const HapticScene& haptic, const Vec3& from_m, const Vec3& to_m)
     tuning.radius_m = 0.05;
     tuning.rated_stiffness_n_per_m = 1000.0;
     tuning.default_stiffness_fraction = 1.0;
-    Vec3 ball = from_m;
+    Vec3 proxy = from_m;
     const int steps = static_cast<int>(glm::length(to_m - from_m) / 2e-3);
     for (int i = 0; i <= steps + 200; ++i)
-        ball = touch_tick(state, haptic, tuning, from_m + (to_m - from_m) * std::min(1.0, double(i) / steps), 1e-3)
-                   .proxy_m;
-    return glm::length(ball - to_m);
+        proxy = touch_tick(state, haptic, tuning, from_m + (to_m - from_m) * std::min(1.0, double(i) / steps), 1e-3)
+                    .proxy_m;
+    return glm::length(proxy - to_m);
 }
 
 TEST(MissingDoors, are_found_in_the_walls_between_an_unreachable_room_and_its_neighbours) {

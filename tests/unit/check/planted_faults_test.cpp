@@ -106,7 +106,7 @@ Found faults_of(const std::string& map, const std::function<void(Scene&, const R
     if (!scene) return found;
     found.scene = std::move(*scene);
     const Result<std::shared_ptr<Navigation>> navigation =
-        Navigation::make(found.scene, walk_body(found.scene, 0.25, 1.8, 0.25));
+        Navigation::make(found.scene, walker_measures(found.scene, 0.25, 1.8, 0.25));
     if (!navigation) {
         found.faults = find_faults(found.scene, nullptr, nullptr);
         return found;
@@ -320,7 +320,7 @@ std::size_t count_of(FaultKind kind, double joint_m, bool before_door) {
     stated.portals.push_back(portal);
     b.scene().stated = std::make_shared<const StatedBuilding>(stated);
     const auto scene = b.share();
-    const auto ways = Navigation::make(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    const auto ways = Navigation::make(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
     EXPECT_TRUE(ways);
     const RoomGraph graph = make_rooms(*scene, (*ways)->space());
     const std::vector<WorldFault> faults = find_faults(*scene, &(*ways)->space(), &graph);
@@ -345,7 +345,7 @@ std::size_t cracks_beside(const char* what, double joint_m) {
     for (Feature& feature : b.scene().features) feature.made_name = true;
     b.start({2, 1, 0}, 0.0);
     const auto scene = b.share();
-    const auto ways = Navigation::make(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    const auto ways = Navigation::make(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
     EXPECT_TRUE(ways);
     const RoomGraph graph = make_rooms(*scene, (*ways)->space());
     const std::vector<WorldFault> faults = find_faults(*scene, &(*ways)->space(), &graph);
@@ -381,7 +381,7 @@ TEST(CopyOfTheSchool, has_a_half_blocked_doorway_that_can_be_cut_free) {
     const std::optional<MadeDoor> door = doorway_cut_free(found.scene, *fault);
     ASSERT_TRUE(door.has_value());
     const Scene mended = with_made_doors(found.scene, std::vector{*door});
-    const auto navigation = Navigation::make(mended, walk_body(mended, 0.25, 1.8, 0.25));
+    const auto navigation = Navigation::make(mended, walker_measures(mended, 0.25, 1.8, 0.25));
     ASSERT_TRUE(navigation.has_value());
     const RoomGraph graph = make_rooms(mended, (*navigation)->space());
     const std::vector<WorldFault> left = find_faults(mended, &(*navigation)->space(), &graph);

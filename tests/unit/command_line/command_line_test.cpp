@@ -197,9 +197,9 @@ TEST(CommandLine, opens_bundled_worlds_by_name_and_suggests_the_nearest_one) {
         std::ostringstream out, err;
         run_command_line({command, "first_room"}, out, err);
         EXPECT_THAT(out.str(), HasSubstr("first_room.map")) << command << err.str();
-        std::ostringstream none, told;
-        EXPECT_EQ(run_command_line({command, "first_rom"}, none, told), 1);
-        EXPECT_THAT(told.str(), HasSubstr("Did you mean first_room?")) << command;
+        std::ostringstream none, reported;
+        EXPECT_EQ(run_command_line({command, "first_rom"}, none, reported), 1);
+        EXPECT_THAT(reported.str(), HasSubstr("Did you mean first_room?")) << command;
     }
     std::ostringstream out, err;
     EXPECT_EQ(run_command_line({"export", "first_rom", "--swell", "a.svg"}, out, err), 1);

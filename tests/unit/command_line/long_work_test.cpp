@@ -24,18 +24,18 @@ using testing::IsEmpty;
 
 const std::string kWorlds = (test::project_root() / "worlds/maps/").string();
 
-struct Told {
+struct Announced {
     double at_s;
     std::string words;
-    bool operator==(const Told&) const = default;
+    bool operator==(const Announced&) const = default;
 };
-void PrintTo(const Told& told, std::ostream* os) { *os << told.at_s << " s: " << told.words; }
+void PrintTo(const Announced& announced, std::ostream* os) { *os << announced.at_s << " s: " << announced.words; }
 
 // Returns the sentences between `from_s` and `to_s` if the caller checks for news four times a second.
-std::vector<Told> told_from(const LongWork& progress, double from_s, double to_s) {
-    std::vector<Told> all;
+std::vector<Announced> announced_from(const LongWork& progress, double from_s, double to_s) {
+    std::vector<Announced> all;
     for (double now_s = from_s; now_s < to_s; now_s += 0.25)
-        progress.tell(now_s, [&](const std::string& words) { all.push_back({now_s, words}); });
+        progress.report(now_s, [&](const std::string& words) { all.push_back({now_s, words}); });
     return all;
 }
 
@@ -49,46 +49,46 @@ TEST(Patience, ends_after_two_seconds_and_then_every_five) {
 
 TEST(LongWork, that_ends_within_two_seconds_is_not_reported) {
     const LongWork progress = LongWork::begun();
-    EXPECT_THAT(told_from(progress, 0.0, 10.0), IsEmpty()) << "there is no work";
+    EXPECT_THAT(announced_from(progress, 0.0, 10.0), IsEmpty()) << "there is no work";
     progress.at("Finding rooms and routes");
-    EXPECT_THAT(told_from(progress, 10.0, 12.0), IsEmpty());
+    EXPECT_THAT(announced_from(progress, 10.0, 12.0), IsEmpty());
     progress.done();
-    EXPECT_THAT(told_from(progress, 12.0, 20.0), IsEmpty());
+    EXPECT_THAT(announced_from(progress, 12.0, 20.0), IsEmpty());
     progress.at("Drawing the storey");
-    EXPECT_THAT(told_from(progress, 20.0, 22.0), IsEmpty()) << "two seconds anew";
+    EXPECT_THAT(announced_from(progress, 20.0, 22.0), IsEmpty()) << "two seconds anew";
 }
 
 TEST(LongWork, that_takes_longer_is_reported_with_the_elapsed_time) {
     const LongWork progress = LongWork::begun();
     progress.at("Finding rooms and routes");
-    EXPECT_THAT(told_from(progress, 100.0, 103.0),
-                ElementsAre(Told{102.0, "Finding rooms and routes, 2 seconds so far."}));
+    EXPECT_THAT(announced_from(progress, 100.0, 103.0),
+                ElementsAre(Announced{102.0, "Finding rooms and routes, 2 seconds so far."}));
     progress.at("Looking for problems to fix");
-    EXPECT_THAT(told_from(progress, 103.0, 113.0),
-                ElementsAre(Told{107.0, "Looking for problems to fix, 7 seconds so far."},
-                            Told{112.0, "Looking for problems to fix, 12 seconds so far."}));
+    EXPECT_THAT(announced_from(progress, 103.0, 113.0),
+                ElementsAre(Announced{107.0, "Looking for problems to fix, 7 seconds so far."},
+                            Announced{112.0, "Looking for problems to fix, 12 seconds so far."}));
 }
 
 TEST(LongWork, reports_the_share_of_the_file_that_was_read_and_the_current_stage) {
     const LongWork progress = LongWork::begun();
     const ReadOptions options = progress.followed({});
     options.progress(0.4);
-    EXPECT_THAT(told_from(progress, 0.0, 3.0), ElementsAre(Told{2.0, "Loading, 40 percent."}));
+    EXPECT_THAT(announced_from(progress, 0.0, 3.0), ElementsAre(Announced{2.0, "Loading, 40 percent."}));
     options.stage("import.shapes");
     options.progress(0.555);
-    EXPECT_THAT(told_from(progress, 3.0, 8.0),
-                ElementsAre(Told{7.0, "Loading, 55 percent: building walls, floors and openings."}));
+    EXPECT_THAT(announced_from(progress, 3.0, 8.0),
+                ElementsAre(Announced{7.0, "Loading, 55 percent: building walls, floors and openings."}));
     const test::InLanguage german("de");
     options.stage("import.touch");
-    EXPECT_THAT(told_from(progress, 8.0, 13.0),
-                ElementsAre(Told{12.0, "Laden, 55 Prozent: " + phrase("import.touch") + "."}));
+    EXPECT_THAT(announced_from(progress, 8.0, 13.0),
+                ElementsAre(Announced{12.0, "Laden, 55 Prozent: " + phrase("import.touch") + "."}));
 }
 
 TEST(LongWork, costs_nothing_without_an_observer) {
     const LongWork nobody;
     EXPECT_FALSE(nobody.followed({}).progress);
     nobody.at("Anything");
-    EXPECT_THAT(told_from(nobody, 0.0, 10.0), IsEmpty());
+    EXPECT_THAT(announced_from(nobody, 0.0, 10.0), IsEmpty());
 }
 
 // Returns the stages that a command reports, in order. The command must report the last stage before it writes its
@@ -103,7 +103,7 @@ std::vector<std::string> stages(const std::function<int(std::ostream&, std::ostr
     EXPECT_LE(command(out, err, progress), 1) << "1 is for faults of the world";
     EXPECT_EQ(err.str(), "");
     EXPECT_FALSE(all.empty() && out.str().empty());
-    EXPECT_THAT(told_from(progress, 0.0, 10.0), IsEmpty()) << "it is over";
+    EXPECT_THAT(announced_from(progress, 0.0, 10.0), IsEmpty()) << "it is over";
     return all;
 }
 

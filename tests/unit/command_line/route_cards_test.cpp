@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/session/session.h"
 #include "app/core/whereabouts/rooms_of_world.h"
 #include "app/core/world/walker.h"
@@ -31,18 +31,18 @@ public:
         session_.apply(Placed{feet_m, heading_rad}, now_s_);
         tick(30);
     }
-    std::string told(const std::string& room) {
-        ask(Command::Routes);
+    std::string reported(const std::string& room) {
+        request(Command::Routes);
         // A long list begins with its kinds, and a kind can be called as a room is.
         if (const std::string all = phrase("kinds.everything"); session_.dialogue().holds(all, true))
             session_.apply(LineTyped{all}, now_s_);
         EXPECT_TRUE(session_.apply(LineTyped{room}, now_s_)) << room;
         tick(3);
-        return ask(Command::RestOfWay);
+        return request(Command::RestOfRoute);
     }
 
 private:
-    std::string ask(Command command) {
+    std::string request(Command command) {
         session_.apply(CommandDown{command}, now_s_);
         session_.apply(CommandUp{command}, now_s_);
         std::string last;
@@ -72,8 +72,8 @@ TEST_P(OfWorld, the_route_cards_have_the_spoken_legs_to_the_rooms) {
     auto read = read_world(path);
     ASSERT_TRUE(read) << read.error().sentence();
     const auto scene = std::make_shared<const Scene>(std::move(*read));
-    const WalkerSize size = body_size(*scene, Settings{}.walk.body_radius_m);
-    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once());
+    const WalkerSize size = walker_size(*scene, Settings{}.walk.body_radius_m);
+    RoomsOfWorld rooms(scene, walker_measures(*scene, size.radius_m, size.height_m, size.step_up_m), at_once());
     ASSERT_TRUE(rooms.ready() && rooms.found());
     const Start* base = nullptr;
     for (const Start& start : scene->starts)
@@ -87,7 +87,7 @@ TEST_P(OfWorld, the_route_cards_have_the_spoken_legs_to_the_rooms) {
     for (int number = 1; number <= storey_count(rooms.graph()); ++number) {
         const auto storey = storey_of(*scene, rooms.graph(), rooms.navigation().space(), number);
         if (!storey) continue;
-        const auto made = card_ways(scene, rooms.graph(), rooms.navigation(), *storey, {});
+        const auto made = card_routes(scene, rooms.graph(), rooms.navigation(), *storey, {});
         if (!made) continue;
         for (const CardRoute& way : made->ways) {
             std::string name = way[0].substr(std::string("From the base to ").size());
@@ -98,7 +98,7 @@ TEST_P(OfWorld, the_route_cards_have_the_spoken_legs_to_the_rooms) {
             if (rooms_seen++ % stride != 0) continue;
             walker.stand(rooms.navigation().nearest_place(base->feet_m).value_or(base->feet_m),
                          notch_heading_rad(nearest_notch(base->heading_rad)));
-            EXPECT_EQ(fmt::format("{}", fmt::join(way.begin() + 2, way.end(), " ")), walker.told(name)) << name;
+            EXPECT_EQ(fmt::format("{}", fmt::join(way.begin() + 2, way.end(), " ")), walker.reported(name)) << name;
             ++compared;
             for (const std::string& line : way) legs += line.find("until you meet") != std::string::npos ? 1 : 0;
         }

@@ -414,7 +414,7 @@ TEST(PrepareMesh, makes_dense_surfaces_alone_coarser_and_leaves_their_borders_wh
     EXPECT_GT(shared, 20U);
 }
 
-TEST(PrepareMesh, keeps_every_triangle_of_surfaces_with_fewer_than_asked_for) {
+TEST(PrepareMesh, keeps_every_triangle_of_surfaces_with_fewer_than_requested) {
     const TwoSurfaces two = dense_beside_few();
     MeshOptions options;
     options.simplify_m = 5e-3;

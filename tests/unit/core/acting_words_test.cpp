@@ -26,10 +26,10 @@ TEST(ActingWords, name_typed_commands_if_the_person_types) {
     s.run(0.1);
     EXPECT_TRUE(s.heard("Type forward to walk. Type where to hear where you are, or help for a list of words."))
         << s.news();
-    EXPECT_EQ(s.ask(Command::Ways),
+    EXPECT_EQ(s.request(Command::KeptRoutes),
               "You have not kept a route here yet. keep-way keeps the route that you planned or walked last.");
-    EXPECT_EQ(s.ask(Command::WhatIsThis), "There is no touch device. Type where to hear what is around you.");
-    EXPECT_EQ(s.ask(Command::StopEverything), "Stopped. forces turns sounds on again.");
+    EXPECT_EQ(s.request(Command::WhatIsThis), "There is no touch device. Type where to hear what is around you.");
+    EXPECT_EQ(s.request(Command::StopEverything), "Stopped. forces turns sounds on again.");
     // No announcement names a key.
     for (const std::string& line : s.said)
         for (const char* word : {"Press", "F1", "F2", "F12", "Shift+", "Enter", "Escape", "Grave"})
@@ -41,7 +41,7 @@ TEST(ActingWords, name_keys_if_the_person_uses_keys) {
     s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
     s.run(0.1);
     EXPECT_TRUE(s.heard("Press Up to walk. F2 says where you are, and F1 lists the keys."));
-    EXPECT_EQ(s.ask(Command::Ways),
+    EXPECT_EQ(s.request(Command::KeptRoutes),
               "You have not kept a route here yet. Control+8 keeps the route that you planned or walked last.");
 }
 
@@ -51,7 +51,7 @@ TEST(WithNoDevice, nothing_is_said_about_force) {
     s.run(0.1);
     for (const Command command : {Command::ToggleForces, Command::ToggleForces, Command::StopEverything,
                                   Command::ToggleForces, Command::TakeMe, Command::CrossLines}) {
-        s.ask(command);
+        s.request(command);
         s.run(0.5);
     }
     EXPECT_TRUE(s.heard("There is no touch device."));

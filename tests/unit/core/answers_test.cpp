@@ -16,7 +16,7 @@ struct Visitor : AppSession {
     explicit Visitor(const char* world = "house.map") {
         app.apply(WorldEntered{make_ready(test::our_world(world))}, 0.0);
         run(0.1);
-        ask(Command::Exits);
+        request(Command::Exits);
         run(0.1);
         said.clear();
     }
@@ -54,7 +54,7 @@ TEST(Answers, state_whether_a_door_is_open_and_where_it_leads) {
     EXPECT_EQ(s.typed("is the front door open"), "Front door is shut.");
     EXPECT_EQ(s.typed("is the door open"), "Front door is shut.");
     EXPECT_THAT(s.typed("where does this door lead"), AllOf(StartsWith("Front door, "), HasSubstr("leads to Garden")));
-    s.ask(Command::Use);
+    s.request(Command::Use);
     s.run(5.0);
     EXPECT_EQ(s.typed("is the front door open"), "Front door is open.");
 }
@@ -80,10 +80,10 @@ TEST(Answers, lead_to_the_first_room_of_the_next_storey) {
 
 TEST(Answers, come_while_a_list_is_open_and_close_it) {
     Visitor s;
-    s.ask(Command::Help);
+    s.request(Command::Help);
     ASSERT_TRUE(s.app.dialogue().is_open());
     EXPECT_EQ(s.typed("how many storeys are there"), "There are 2 storeys.");
-    s.ask(Command::Find);
+    s.request(Command::Find);
     EXPECT_THAT(s.typed("how far is the kitchen"), StartsWith("Kitchen: "));
 }
 

@@ -50,7 +50,7 @@ struct AppSession {
         }
     }
     // Gives a command and returns the last sentence that the session said. Waits if a route is still being planned.
-    std::string ask(Command command) {
+    std::string request(Command command) {
         app.apply(CommandDown{command}, now);
         app.apply(CommandUp{command}, now);
         listen();

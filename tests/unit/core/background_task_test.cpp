@@ -70,15 +70,15 @@ TEST(BackgroundTask, delivers_nothing_when_memory_runs_out_and_can_be_started_ag
 }
 
 TEST(BackgroundTask, queries_its_own_arrivals_while_another_session_has_its_turn) {
-    std::vector<std::uint64_t> told, told_to_other;
-    Arrivals own([&](std::uint64_t asked) { told.push_back(asked); }),
-        other([&](std::uint64_t asked) { told_to_other.push_back(asked); });
+    std::vector<std::uint64_t> reported, reported_to_other;
+    Arrivals own([&](std::uint64_t requested) { reported.push_back(requested); }),
+        other([&](std::uint64_t requested) { reported_to_other.push_back(requested); });
     BackgroundTask<int> task(at_once(), "test", &own);
     const auto begin = [&] { task.begin([](const std::stop_token&) { return 3; }); };
     const Arrivals::Turn turn_of_other(&other);
     begin();
     EXPECT_EQ(task.take(), 3) << "outside of its session's turns";
-    EXPECT_TRUE(told.empty());
+    EXPECT_TRUE(reported.empty());
     begin();
     {
         const Arrivals::Turn looks(&own, true);
@@ -87,8 +87,8 @@ TEST(BackgroundTask, queries_its_own_arrivals_while_another_session_has_its_turn
         EXPECT_EQ(task.take(), 3);
         EXPECT_FALSE(task.take());
     }
-    EXPECT_EQ(told, std::vector<std::uint64_t>{1});
-    EXPECT_TRUE(told_to_other.empty());
+    EXPECT_EQ(reported, std::vector<std::uint64_t>{1});
+    EXPECT_TRUE(reported_to_other.empty());
 }
 
 TEST(BackgroundTask, finishes_at_once_if_there_are_no_threads) {

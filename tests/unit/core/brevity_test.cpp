@@ -45,8 +45,8 @@ void in_every_room(const char* world, Each each) {
     AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world(world))}, 0.0);
     s.run(0.1);
-    s.ask(Command::Exits);  // The answer waits until the rooms are known.
-    s.ask(Command::PlanView);
+    s.request(Command::Exits);  // The answer waits until the rooms are known.
+    s.request(Command::PlanView);
     s.run(0.1);
     const auto rooms = s.app.view({}, {}).rooms;
     ASSERT_TRUE(rooms);
@@ -67,16 +67,16 @@ TEST(Brevity, where_am_i_takes_at_most_25_words_and_begins_with_the_room_and_the
             const test::InLanguage spoken(language);
             int all = 0, rooms = 0;
             in_every_room(world, [&](AppSession& s, const DrawnRoom&) {
-                const std::string brief = s.ask(Command::WhereAmI);
+                const std::string brief = s.request(Command::WhereAmI);
                 EXPECT_LE(count_words(brief), 25U) << brief;
                 EXPECT_EQ(brief.find(phrase("questions.place_facing", {{"place", ""}, {"compass", ""}}).substr(0, 2)),
                           sentences_of(brief).front().find(", "))
                     << brief;
                 all += static_cast<int>(count_words(brief));
                 ++rooms;
-                const std::string more = s.ask(Command::WhereAmI);
+                const std::string more = s.request(Command::WhereAmI);
                 EXPECT_NE(more, brief) << "asked again it tells the rest";
-                EXPECT_EQ(s.ask(Command::WhereAmI), brief) << "and then the same again";
+                EXPECT_EQ(s.request(Command::WhereAmI), brief) << "and then the same again";
             });
             EXPECT_LE(all, 22 * rooms) << world << " " << language;
         }
@@ -91,15 +91,15 @@ TEST(Brevity, each_exit_takes_at_most_four_words_beyond_its_name) {
             AppSession s(settings);
             s.app.apply(WorldEntered{make_ready(test::our_world(world))}, 0.0);
             s.run(0.1);
-            s.ask(Command::Exits);
+            s.request(Command::Exits);
             for (int turn = 0; turn < test::scaled(16); ++turn) {
                 s.tap(Command::TurnRight, 0.3);
-                const std::vector<std::string> told = sentences_of(s.ask(Command::Exits));
-                ASSERT_GT(told.size(), 2U);
-                for (std::size_t i = 2; i < told.size(); ++i) {
-                    const std::string where = told[i].substr(told[i].find(": ") + 1);
-                    EXPECT_LE(count_words(where), 4U) << told[i];
-                    EXPECT_NE(told[i].find(": "), std::string::npos) << told[i];
+                const std::vector<std::string> reported = sentences_of(s.request(Command::Exits));
+                ASSERT_GT(reported.size(), 2U);
+                for (std::size_t i = 2; i < reported.size(); ++i) {
+                    const std::string where = reported[i].substr(reported[i].find(": ") + 1);
+                    EXPECT_LE(count_words(where), 4U) << reported[i];
+                    EXPECT_NE(reported[i].find(": "), std::string::npos) << reported[i];
                 }
             }
         }
@@ -138,7 +138,7 @@ TEST(Brevity, help_is_a_list_by_topic_with_a_search) {
     AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
     s.run(0.1);
-    EXPECT_LE(count_words(s.ask(Command::Help)), 12U);
+    EXPECT_LE(count_words(s.request(Command::Help)), 12U);
     ASSERT_TRUE(s.app.dialogue().is_open());
     EXPECT_LE(s.app.dialogue().view().items.size(), 9U);
     EXPECT_THAT(s.line("search"), HasSubstr("Escape cancels"));
@@ -164,21 +164,21 @@ TEST(Brevity, ahead_names_the_thing_that_the_body_would_bump_into) {
     AppSession s;
     s.app.apply(WorldEntered{make_ready(builder.share())}, 0.0);
     s.run(0.1);
-    EXPECT_THAT(s.ask(Command::WhereAmI), HasSubstr("Ahead: radiator, 4 steps."));
-    EXPECT_TRUE(s.ask(Command::AheadOfMe).starts_with("Radiator, ")) << "lower than the eye that looks";
+    EXPECT_THAT(s.request(Command::WhereAmI), HasSubstr("Ahead: radiator, 4 steps."));
+    EXPECT_TRUE(s.request(Command::AheadOfMe).starts_with("Radiator, ")) << "lower than the eye that looks";
     s.walk(5.0);
     ASSERT_FALSE(s.bumped.empty());
     EXPECT_EQ(s.app.scene()->features[s.bumped.back().value].name, "radiator");
     s.tap(Command::Home, 0.3);
     s.tap(Command::TurnRight, 0.3);
     for (int i = 0; i < 3; ++i) s.tap(Command::TurnRight, 0.3);
-    EXPECT_THAT(s.ask(Command::WhereAmI), HasSubstr("Ahead: shelf, ")) << "at the height of the head";
+    EXPECT_THAT(s.request(Command::WhereAmI), HasSubstr("Ahead: shelf, ")) << "at the height of the head";
 }
 
 TEST(Brevity, around_me_names_each_direction_only_once) {
     for (const char* world : kWorlds)
         in_every_room(world, [&](AppSession& s, const DrawnRoom&) {
-            for (const std::string& sentence : sentences_of(s.ask(Command::AroundMe)))
+            for (const std::string& sentence : sentences_of(s.request(Command::AroundMe)))
                 for (const char* word : {"ahead", "left", "right", "behind"}) {
                     std::string lower = sentence;
                     std::transform(lower.begin(), lower.end(), lower.begin(),
@@ -194,8 +194,8 @@ TEST(FindList, lists_each_name_once_and_finds_it_by_any_word) {
     AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world("school.map"))}, 0.0);
     s.run(0.1);
-    s.ask(Command::Exits);
-    s.ask(Command::Find);
+    s.request(Command::Exits);
+    s.request(Command::Find);
     s.line("everything");
     std::set<std::string> names;
     for (const ListItem& item : s.app.dialogue().view().items) EXPECT_TRUE(names.insert(item.name).second) << item.name;
@@ -215,7 +215,7 @@ TEST(FindList, lists_each_name_once_and_finds_it_by_any_word) {
     while (s.app.dialogue().is_open()) s.app.apply(KeyTapped{"Escape"}, s.now);
     s.listen();
     EXPECT_EQ(s.said.back(), "Closed");
-    s.ask(Command::Find);
+    s.request(Command::Find);
     EXPECT_THAT(s.line("table"), HasSubstr("Table: which one? Table, "));
     s.app.apply(KeyTapped{"Enter"}, s.now);
     ASSERT_TRUE(s.app.guide().goal());
@@ -226,7 +226,7 @@ TEST(FindList, can_be_narrowed_to_one_kind) {
     AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
     s.run(0.1);
-    s.ask(Command::Find);
+    s.request(Command::Find);
     const std::size_t all = s.app.dialogue().view().items.size();
     s.line("end");
     EXPECT_EQ(s.line("right"), "doors");
@@ -245,7 +245,7 @@ TEST(Lists, answer_questions_but_otherwise_accept_only_their_items) {
     AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
     s.run(0.1);
-    s.ask(Command::Marks);
+    s.request(Command::Marks);
     ASSERT_TRUE(s.app.dialogue().is_open());
     EXPECT_THAT(s.line("where"), HasSubstr("acing north"));
     EXPECT_TRUE(s.app.dialogue().is_open());
@@ -259,7 +259,7 @@ TEST(Lists, are_left_together_with_the_program_by_a_confirmed_quit) {
         AppSession s;
         s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
         s.run(0.1);
-        s.ask(Command::Marks);
+        s.request(Command::Marks);
         EXPECT_EQ(s.line(word), "Press Escape again to leave.");
         EXPECT_TRUE(s.app.dialogue().is_open());
         EXPECT_FALSE(s.app.requests().leave);

@@ -31,12 +31,12 @@ TEST_P(BundledPlaces, every_door_leads_on_and_every_room_has_a_landmark) {
     });
     const auto open = std::make_shared<const Scene>(std::move(without));
     const WalkerWorld open_world(open), shut_world(shut);
-    const WalkerSize body = body_size(*shut, 0.25);
+    const WalkerSize body = walker_size(*shut, 0.25);
     const auto base = std::find_if(shut->starts.begin(), shut->starts.end(), [](const Start& s) { return s.base; });
     ASSERT_NE(base, shut->starts.end());
     const HuntGround ground(open_world, base->feet_m, body);
 
-    auto space = make_walk_space(*shut, walk_body(*shut, body.radius_m, body.height_m, body.step_up_m));
+    auto space = make_walk_space(*shut, walker_measures(*shut, body.radius_m, body.height_m, body.step_up_m));
     ASSERT_TRUE(space);
     const RoomGraph graph = make_rooms(*shut, *space);
 
@@ -130,8 +130,8 @@ TEST_P(BundledPlaces, names_exist_in_every_bundled_language) {
 TEST_P(BundledPlaces, the_base_can_be_walked_to_again_from_every_reachable_place) {
     const auto read = read_world(test::project_root() / "worlds" / "maps" / GetParam());
     ASSERT_TRUE(read);
-    const WalkerSize body = body_size(*read, 0.25);
-    const auto space = make_walk_space(*read, walk_body(*read, body.radius_m, body.height_m, body.step_up_m));
+    const WalkerSize body = walker_size(*read, 0.25);
+    const auto space = make_walk_space(*read, walker_measures(*read, body.radius_m, body.height_m, body.step_up_m));
     ASSERT_TRUE(space);
     const auto base = std::find_if(read->starts.begin(), read->starts.end(), [](const Start& s) { return s.base; });
     ASSERT_NE(base, read->starts.end());

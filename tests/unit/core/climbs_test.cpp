@@ -15,7 +15,7 @@ using testing::Not;
 struct Visit : test::AppSession {
     Visit() {
         app.apply(WorldEntered{make_ready(test::hall_with_narrow_stairs())}, 0.0);
-        ask(Command::Exits);  // The answer waits until the rooms are known.
+        request(Command::Exits);  // The answer waits until the rooms are known.
     }
     // Goes through the door into the stairwell.
     void go_in() {
@@ -32,13 +32,13 @@ TEST(Climbs, stairs_are_announced_on_arrival_and_the_announced_key_takes_them_up
     ASSERT_GT(visit.app.feet_m().y, 6.3) << "in the stairwell";
     EXPECT_TRUE(visit.heard("Stairs, 3 metres up, in one go: Enter takes them"));
     visit.run(1.0);
-    const std::string up = visit.ask(Command::Use);
+    const std::string up = visit.request(Command::Use);
     EXPECT_THAT(up, HasSubstr("You took the stairs up, 3 metres"));
     EXPECT_NEAR(visit.app.feet_m().z, 3.0, 0.02);
     visit.said.clear();
     visit.run(2.0);
     EXPECT_FALSE(visit.heard("takes them")) << "who has just taken them knows them";
-    const std::string down = visit.ask(Command::Use);
+    const std::string down = visit.request(Command::Use);
     EXPECT_THAT(down, HasSubstr("You took the stairs down, 3 metres"));
     EXPECT_NEAR(visit.app.feet_m().z, 0.0, 0.02);
 }
@@ -56,7 +56,7 @@ TEST(Climbs, the_use_key_opens_the_door_ahead_rather_than_taking_the_stairs_behi
 
 TEST(Climbs, away_from_the_stairs_the_use_key_acts_on_other_things_or_reports_nothing_to_use) {
     Visit visit;
-    EXPECT_THAT(visit.ask(Command::Use), Not(HasSubstr("stairs")));
+    EXPECT_THAT(visit.request(Command::Use), Not(HasSubstr("stairs")));
     EXPECT_NEAR(visit.app.feet_m().z, 0.0, 0.02);
 }
 
@@ -65,16 +65,16 @@ TEST(Climbs, on_a_route_the_use_key_takes_the_flight_of_that_route_in_its_direct
     test::AppSession person;
     person.app.apply(WorldEntered{make_ready(test::hall_with(PlanSpaceKind::Stairs, "Spiral stairs", 1.6, 1.6, 3))},
                      0.0);
-    person.ask(Command::Exits);
+    person.request(Command::Exits);
     for (const auto& [from_z_m, to, to_z_m] :
          {std::tuple{0.0, "Hall, Level 2", 6.0}, std::tuple{6.0, "Hall, Level 0", 0.0}}) {
         person.app.apply(Placed{{3.0, 6.6, from_z_m}, kPi}, person.now);
         person.run(0.5);
-        person.ask(Command::Routes);
+        person.request(Command::Routes);
         person.line(to);
         for (const double z_m : {3.0, to_z_m}) {
-            EXPECT_THAT(person.ask(Command::RepeatLeg), HasSubstr("You are standing at them")) << person.news();
-            person.ask(Command::Use);
+            EXPECT_THAT(person.request(Command::RepeatLeg), HasSubstr("You are standing at them")) << person.news();
+            person.request(Command::Use);
             person.run(1.0);
             EXPECT_NEAR(person.app.feet_m().z, z_m, 0.05) << "to " << to << ": " << person.news();
         }
@@ -84,7 +84,7 @@ TEST(Climbs, on_a_route_the_use_key_takes_the_flight_of_that_route_in_its_direct
 TEST(Climbs, are_listed_among_the_exits_and_on_the_route) {
     Visit visit;
     visit.go_in();
-    EXPECT_THAT(visit.ask(Command::Exits), HasSubstr("Stairs, in one go to Spiral stairs, Level 1"));
+    EXPECT_THAT(visit.request(Command::Exits), HasSubstr("Stairs, in one go to Spiral stairs, Level 1"));
 }
 
 }  // namespace climbs_test

@@ -135,18 +135,18 @@ TEST(MenuOfReports, reads_a_crash_report_and_the_devices_line_by_line) {
     test::AppSession session;
     session.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
     session.run(0.1);
-    session.ask(Command::Menu);
+    session.request(Command::Menu);
     EXPECT_FALSE(session.heard("Report on the session")) << "there is none";
     session.line("escape");
     session.app.apply(CrashReportKnown{"/a/report.txt", {"It ended.", "forward: 0.0 seconds."}}, session.now);
-    session.ask(Command::Menu);
+    session.request(Command::Menu);
     session.line("Report on the session that crashed");
     session.run(0.1);
     EXPECT_TRUE(session.heard("Crash report")) << session.news();
     session.line("list");
     EXPECT_TRUE(session.heard("forward: 0.0 seconds")) << session.news();
     session.line("escape");
-    session.ask(Command::Menu);
+    session.request(Command::Menu);
     session.line("Touch devices: what is plugged in");
     session.run(0.1);
     EXPECT_TRUE(session.app.requests().take_devices());
@@ -165,7 +165,7 @@ TEST(MenuOfReports, lists_every_fault_of_the_settings) {
     session.run(0.1);
     session.app.apply(SettingsFaultsKnown{{"settings.toml, line 2: one fault.", "settings.toml, line 9: another."}},
                       session.now);
-    session.ask(Command::Menu);
+    session.request(Command::Menu);
     session.line("Problems in your settings");
     session.run(0.1);
     EXPECT_TRUE(session.heard("line 2: one fault")) << session.news();
@@ -180,7 +180,7 @@ TEST(MenuOfReports, opens_the_list_of_devices_by_a_typed_command_and_from_the_de
     test::AppSession session({}, falcon);
     session.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
     session.run(0.1);
-    EXPECT_EQ(session.ask(Command::Devices), "Looking for devices that are plugged in.");
+    EXPECT_EQ(session.request(Command::Devices), "Looking for devices that are plugged in.");
     EXPECT_FALSE(session.app.idle()) << "what is typed next waits for the list";
     EXPECT_TRUE(session.app.requests().take_devices());
     session.app.apply(DevicesFound{{"Novint Falcon, called falcon."}}, session.now);
@@ -207,7 +207,7 @@ TEST(MenuOfReports, describes_the_devices_in_german) {
     test::AppSession session(settings);
     session.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
     session.run(0.1);
-    EXPECT_EQ(session.ask(Command::Devices), phrase("devices.looking"));
+    EXPECT_EQ(session.request(Command::Devices), phrase("devices.looking"));
     session.app.apply(DevicesFound{{"Novint Falcon."}}, session.now);
     session.listen();
     EXPECT_TRUE(session.heard("In Gebrauch: keine Hand, alles mit Tastatur und Klang, 1 von 2")) << session.news();

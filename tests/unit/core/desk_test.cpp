@@ -149,7 +149,7 @@ TEST(DeskPanel, the_hand_feels_a_detent_for_each_position_of_sliders_and_knobs) 
     std::vector<double> heights;
     for (double x = slider->x_of(0); x <= slider->x_of(slider->positions - 1); x += 1e-4) {
         s.slide_to({x, s.at_m().y, s.at_m().z});
-        heights.push_back(slider->face_y_m - kDeskBallM - s.tool().desk.proxy_m.y);
+        heights.push_back(slider->face_y_m - kDeskProxyM - s.tool().desk.proxy_m.y);
     }
     int ridges = 0;
     bool up = false;

@@ -178,9 +178,9 @@ TEST(Dialogue, reports_an_empty_list_and_opens_nothing) {
 TEST(Dialogue, accepts_text_in_any_script_and_deletes_whole_letters) {
     Dialogue dialogue;
     std::string typed;
-    EXPECT_EQ(
-        dialogue.ask({.question = "Name?", .text = "", .done = [&](std::string text) { typed = std::move(text); }}),
-        "Name? Escape cancels.");
+    EXPECT_EQ(dialogue.request_text(
+                  {.question = "Name?", .text = "", .done = [&](std::string text) { typed = std::move(text); }}),
+              "Name? Escape cancels.");
     EXPECT_TRUE(dialogue.typing());
     EXPECT_TRUE(dialogue.key("Enter", 0.0).denied) << "nothing typed";
     for (const std::string& c : characters_of(" Kü洞𝄞x")) dialogue.typed(c, 0.0);
@@ -207,7 +207,8 @@ TEST(Dialogue, works_with_typed_lines) {
     EXPECT_TRUE(f.dialogue.line("5", 0.0).denied);
     EXPECT_TRUE(f.dialogue.line("pear", 0.0).denied);
     std::string typed;
-    f.dialogue.ask({.question = "Name?", .text = "old", .done = [&](std::string text) { typed = std::move(text); }});
+    f.dialogue.request_text(
+        {.question = "Name?", .text = "old", .done = [&](std::string text) { typed = std::move(text); }});
     f.dialogue.line("the hall", 0.0);
     EXPECT_EQ(typed, "the hall");
     f.dialogue.line("escape", 0.0);

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/names.h"
-#include "tests/unit/core/way_walker.h"
+#include "tests/unit/core/route_walker.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -12,7 +12,7 @@ TEST(SessionEvents, of_a_walk_through_our_house_report_rooms_doors_the_path_and_
     test::AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
     s.run(0.1);
-    s.ask(Command::Exits);  // The answer waits until the rooms are known.
+    s.request(Command::Exits);  // The answer waits until the rooms are known.
     (void)s.app.take_events();
     ASSERT_TRUE(test::go_to_room(s, "Kitchen", 90.0));
     int rooms = 0, doors = 0;
@@ -60,12 +60,12 @@ TEST(SessionEvents, report_a_stay_at_a_thing_once_and_a_typed_answer_with_its_qu
     // but asking about them is.
     s.run(3.0);
     EXPECT_TRUE(visits().empty());
-    s.ask(Command::AheadOfMe);
+    s.request(Command::AheadOfMe);
     s.run(0.1);
-    const auto asked = visits();
-    ASSERT_EQ(asked.size(), 1U);
-    EXPECT_EQ(asked[0].second, VisitedBy::Asking);
-    s.ask(Command::AheadOfMe);
+    const auto requested = visits();
+    ASSERT_EQ(requested.size(), 1U);
+    EXPECT_EQ(requested[0].second, VisitedBy::Query);
+    s.request(Command::AheadOfMe);
     s.run(3.0);
     EXPECT_TRUE(visits().empty()) << "one stay is told once";
     // Walks towards the thing ahead until that thing stops the walker, and then stands still.
@@ -74,7 +74,7 @@ TEST(SessionEvents, report_a_stay_at_a_thing_once_and_a_typed_answer_with_its_qu
     const auto faced = visits();
     ASSERT_FALSE(faced.empty());
     EXPECT_EQ(faced.back().second, VisitedBy::Facing);
-    s.ask(Command::NameRoom);
+    s.request(Command::NameRoom);
     s.app.apply(LineTyped{"My hall"}, s.now);
     int answers = 0;
     for (const SessionEvent& event : s.app.take_events())

@@ -40,7 +40,7 @@ TEST(Exits, beyond_eight_are_the_nearest_eight_and_a_summary_of_the_rest) {
         AppSession s;
         s.app.apply(WorldEntered{make_ready(hall_with(rooms))}, 0.0);
         s.run(0.1);
-        const std::string said = s.ask(Command::Exits);
+        const std::string said = s.request(Command::Exits);
         EXPECT_THAT(said, HasSubstr(std::to_string(rooms) + " exits.")) << said;
         std::size_t openings = 0;
         for (std::size_t at = said.find("Opening to"); at != std::string::npos; at = said.find("Opening to", at + 1))

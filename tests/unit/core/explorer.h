@@ -89,7 +89,7 @@ public:
             leave_lists();
         }
     }
-    bool ask(const std::string& name, FeatureId feature, const std::string& way) {
+    bool request(const std::string& name, FeatureId feature, const std::string& way) {
         if (!choose(name, feature)) return false;
         line(way);
         return true;

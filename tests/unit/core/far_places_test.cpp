@@ -23,12 +23,12 @@ struct Visitor : AppSession {
     explicit Visitor(const char* world) {
         app.apply(WorldEntered{make_ready(test::our_world(world))}, 0.0);
         run(0.1);
-        ask(Command::Exits);
+        request(Command::Exits);
         run(0.1);
     }
     // Returns the description of the room that `room` chooses in the list.
     std::string describe(const std::string& room) {
-        ask(Command::Describe);
+        request(Command::Describe);
         EXPECT_TRUE(app.dialogue().is_open());
         return line(room);
     }
@@ -38,13 +38,13 @@ TEST(IAmLost, turns_to_the_nearest_wall_and_names_the_room_the_wall_and_the_way_
     for (const char* language : kLanguages) {
         const test::InLanguage spoken(language);
         Visitor s("house.map");
-        const Vec3 asked_m = s.app.feet_m();
-        s.ask(Command::WhereAmI);
+        const Vec3 requested_m = s.app.feet_m();
+        s.request(Command::WhereAmI);
         s.walk(3.0);
         s.tap(Command::FreeLeft, 0.3);
-        ASSERT_GT(glm::length(s.app.feet_m() - asked_m), 2.0);
+        ASSERT_GT(glm::length(s.app.feet_m() - requested_m), 2.0);
         const Vec3 stood_m = s.app.feet_m();
-        const std::string said = s.ask(Command::Lost);
+        const std::string said = s.request(Command::Lost);
         s.run(2.0);
         EXPECT_EQ(s.app.feet_m(), stood_m) << "nobody is moved";
         const double quarter = s.app.heading_rad() / (0.5 * kPi);
@@ -59,17 +59,18 @@ TEST(IAmLost, turns_to_the_nearest_wall_and_names_the_room_the_wall_and_the_way_
         // The key that the announcement names also leads to the last known place.
         EXPECT_THAT(said, HasSubstr(s.app.keys().keys_of(Command::Retrace))) << said;
         s.hold(Command::Retrace, 6.0);
-        EXPECT_LT(glm::length(s.app.feet_m() - asked_m), 0.5);
+        EXPECT_LT(glm::length(s.app.feet_m() - requested_m), 0.5);
     }
 }
 
 TEST(IAmLost, names_the_last_known_place_or_else_the_base) {
     Visitor s("house.map");
-    EXPECT_THAT(s.ask(Command::Lost), HasSubstr(phrase("lost.at_base")));
+    EXPECT_THAT(s.request(Command::Lost), HasSubstr(phrase("lost.at_base")));
     Visitor far("house.map");
     far.app.apply(Placed{far.app.feet_m() + Vec3(0.0, 3.0, 0.0), 0.0}, far.now);
     far.run(0.2);
-    EXPECT_THAT(far.ask(Command::Lost), HasSubstr("Last known place: where you last heard your position, in Hall, "))
+    EXPECT_THAT(far.request(Command::Lost),
+                HasSubstr("Last known place: where you last heard your position, in Hall, "))
         << "the exits were asked for there";
 }
 
@@ -77,7 +78,7 @@ TEST(DescribeRoom, gives_size_exits_by_wall_and_furniture_clockwise_from_a_dista
     for (const char* language : kLanguages) {
         const test::InLanguage spoken(language);
         Visitor s("house.map");
-        s.ask(Command::Describe);
+        s.request(Command::Describe);
         const std::vector<ListItem> rooms = s.app.dialogue().view().items;
         ASSERT_GT(rooms.size(), 8U);
         EXPECT_EQ(rooms.front().value, phrase("describe.here")) << "the room one is in comes first";
@@ -119,7 +120,7 @@ TEST(Overview, gives_storeys_shape_and_neighbours_in_three_sentences) {
         for (const char* language : kLanguages) {
             const test::InLanguage spoken(language);
             s.run(0.1);  // In this tick, the rooms get their names again.
-            const std::string said = s.ask(Command::Overview);
+            const std::string said = s.request(Command::Overview);
             std::size_t stops = 0;
             for (std::size_t i = 0; i < said.size(); ++i)
                 stops += said[i] == '.' && (i + 1 == said.size() || said[i + 1] == ' ') ? 1 : 0;
@@ -129,7 +130,7 @@ TEST(Overview, gives_storeys_shape_and_neighbours_in_three_sentences) {
         }
     }
     Visitor s("house.map");
-    const std::string said = s.ask(Command::Overview);
+    const std::string said = s.request(Command::Overview);
     EXPECT_THAT(said, HasSubstr(" adjoins "));
     EXPECT_THAT(said, HasSubstr("2 storeys"));
 }

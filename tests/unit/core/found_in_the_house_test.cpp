@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/core/dialogue/words.h"
-#include "app/core/wayfinding/hand_way.h"
+#include "app/core/wayfinding/hand_path.h"
 #include "audio-cues/plan/speakable.h"
 #include "tests/support/names.h"
 #include "tests/support/scale.h"
@@ -27,7 +27,7 @@ constexpr double kWithin_s = 20.0;
 constexpr double kBefore_m = 2.0;  // distance of a thing from the walker at which the search with the hand begins
 constexpr double kHandHeight_m = 1.0, kBody_m = 0.3;
 
-std::string told(const NamedThing& thing) { return sentence_case(speakable(thing.name)); }
+std::string announced_name(const NamedThing& thing) { return sentence_case(speakable(thing.name)); }
 
 // Returns all things with a name. Under sanitizers, returns only some things from all parts of the house.
 std::vector<NamedThing> sought_things(const Scene& scene) {
@@ -50,7 +50,7 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_hand_that_is_guided_from_the_fr
         p.tap(Command::Home);
         p.run(1.2);
         const std::size_t from = p.lines();
-        ASSERT_TRUE(p.ask(told(thing), thing.feature, "Take me there")) << told(thing);
+        ASSERT_TRUE(p.request(announced_name(thing), thing.feature, "Take me there")) << announced_name(thing);
         p.push();
         const double begins_s = p.now_s();
         std::size_t door = from;
@@ -60,10 +60,10 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_hand_that_is_guided_from_the_fr
                     door = shut + 1;
                     p.tap(Command::Use);
                 }
-                return p.heard("Here: " + told(thing), from);
+                return p.heard("Here: " + announced_name(thing), from);
             },
             kWithin_s);
-        EXPECT_TRUE(there) << told(thing) << ":\n" << p.all_heard(from);
+        EXPECT_TRUE(there) << announced_name(thing) << ":\n" << p.all_heard(from);
         longest_s = std::max(longest_s, p.now_s() - begins_s);
     }
     fmt::print("{} things: taken to each in {:.1f} s at most\n", things.size(), longest_s);
@@ -75,7 +75,9 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_hand_that_is_guided_from_the_fr
 class Approach {
 public:
     explicit Approach(const std::shared_ptr<const Scene>& scene)
-        : scene_(scene), world_(scene), navigation_(*Navigation::make(*scene, walk_body(*scene, 0.25, 1.7, 0.2))) {}
+        : scene_(scene),
+          world_(scene),
+          navigation_(*Navigation::make(*scene, walker_measures(*scene, 0.25, 1.7, 0.2))) {}
     std::optional<Vec3> before(const NamedThing& thing, double most_m) {
         const Route route =
             walk_to_thing(*navigation_, world_, scene_->starts.front().feet_m, thing.bounds_m, thing.feature);
@@ -200,14 +202,14 @@ struct Search {
     Search(Explorer& explorer, const NamedThing& sought, const char* tool) : p(explorer), thing(sought) {
         stand_at_the_front_door(p);
         from = p.lines();
-        EXPECT_TRUE(p.ask(told(thing), thing.feature, tool)) << told(thing);
+        EXPECT_TRUE(p.request(announced_name(thing), thing.feature, tool)) << announced_name(thing);
         begins_s = p.now_s();
     }
-    bool here() const { return p.heard("Here: " + told(thing), from); }
+    bool here() const { return p.heard("Here: " + announced_name(thing), from); }
     bool over() const { return here() || p.now_s() - begins_s > kWithin_s; }
     // Returns how long the search took. Call it when the search has ended.
     double found() const {
-        EXPECT_TRUE(here()) << told(thing) << ":\n" << p.all_heard(from);
+        EXPECT_TRUE(here()) << announced_name(thing) << ":\n" << p.all_heard(from);
         return p.now_s() - begins_s;
     }
     Explorer& p;
@@ -298,9 +300,9 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_hand_along_the_lines_that_cross
     const std::vector<NamedThing> things = sought_things(*house);
     for (const NamedThing& thing : things) {
         const auto feet = approach.before(thing, kBefore_m);
-        ASSERT_TRUE(feet) << told(thing);
+        ASSERT_TRUE(feet) << announced_name(thing);
         stand(p, *feet);
-        ASSERT_TRUE(p.ask(told(thing), thing.feature, "Lines leading there")) << told(thing);
+        ASSERT_TRUE(p.request(announced_name(thing), thing.feature, "Lines leading there")) << announced_name(thing);
         const double begins_s = p.now_s();
         p.run(1.6);  // Wait until the guidance is announced and the force has reached its strength.
         Vec3 at(0.0);
@@ -318,13 +320,13 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_hand_along_the_lines_that_cross
                 pushed = pushed || push_n > 0.05;
                 turned = pushed && push_n <= 0.0;
             }
-            EXPECT_TRUE(turned) << told(thing) << ", axis " << axis;
+            EXPECT_TRUE(turned) << announced_name(thing) << ", axis " << axis;
             at[axis] = from[axis];
         }
         const double took_s = p.now_s() - begins_s,
                      off_m = glm::length(p.tool().hip_m - thing.bounds_m.centre_m()) / 60.0;
-        EXPECT_LE(off_m, 0.001) << told(thing);
-        EXPECT_LE(took_s, kWithin_s) << told(thing);
+        EXPECT_LE(off_m, 0.001) << announced_name(thing);
+        EXPECT_LE(took_s, kWithin_s) << announced_name(thing);
         longest_s = std::max(longest_s, took_s);
         farthest_m = std::max(farthest_m, off_m);
         p.tap(Command::CrossLines);
@@ -411,13 +413,13 @@ private:
         }
         hand_.press(by_m, speed_m_per_s, kPress_m);
     }
-    // If the hand is stopped, returns the free direction that is nearest to `wished`.
-    Vec3 free_way(const Vec3& wished) {
+    // If the hand is stopped, returns the free direction that is nearest to `wanted`.
+    Vec3 free_way(const Vec3& wanted) {
         std::vector<Vec3> ways;
         for (const auto& sides : {kSides, kSlanting})
             for (const Vec3& side : sides) ways.push_back(glm::normalize(side));
         std::sort(ways.begin(), ways.end(),
-                  [&](const Vec3& a, const Vec3& b) { return glm::dot(wished, a) > glm::dot(wished, b); });
+                  [&](const Vec3& a, const Vec3& b) { return glm::dot(wanted, a) > glm::dot(wanted, b); });
         for (const Vec3& way : ways) {
             if (search_.over()) break;
             hand_.let_go_of_it();
@@ -425,7 +427,7 @@ private:
             step(kFeel_m * way, 0.25);
             if (glm::dot(proxy() - from, way) > 0.7 * kFeel_m) return way;
         }
-        return -wished;
+        return -wanted;
     }
     // Returns the result of the last sound, or no value if there was no new sound.
     std::optional<HeardNearer> nearer_heard() {
@@ -464,7 +466,7 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_hand_that_listens_to_warmer_and
         longest_s = std::max(longest_s, search.found());
         if (search.here()) continue;
         p.leave_lists();
-        p.choose(told(thing), thing.feature);
+        p.choose(announced_name(thing), thing.feature);
         p.line("Warmer and colder");  // ends "warmer"
     }
     fmt::print("{} things: each found by warmer and colder from the front door in {:.1f} s at most\n", things.size(),
@@ -549,7 +551,7 @@ void lead_to_piano(Explorer& p) {
     const auto& features = p.app().scene()->features;
     const auto piano =
         std::find_if(features.begin(), features.end(), [](const Feature& feature) { return feature.name == "Piano"; });
-    ASSERT_TRUE(p.ask("Piano", FeatureId{static_cast<std::uint32_t>(piano - features.begin())}, "Take me there"));
+    ASSERT_TRUE(p.request("Piano", FeatureId{static_cast<std::uint32_t>(piano - features.begin())}, "Take me there"));
     EXPECT_TRUE(p.heard("Taking your hand to Piano")) << p.all_heard(0);
     EXPECT_TRUE(p.heard("The route goes through: Stairs, 2.9 metres up, Music room door.")) << p.all_heard(0);
     p.push();
@@ -594,7 +596,7 @@ TEST(TakenAlongAWay, beacon_and_warmer_are_both_replanned_when_something_moves) 
     for (const auto& [name, tool] : {std::pair{"Piano", "Beacon"}, std::pair{"Desk", "Warmer and colder"}}) {
         const auto thing = std::find_if(features.begin(), features.end(),
                                         [&, wanted = name](const Feature& feature) { return feature.name == wanted; });
-        ASSERT_TRUE(p.ask(name, FeatureId{static_cast<std::uint32_t>(thing - features.begin())}, tool));
+        ASSERT_TRUE(p.request(name, FeatureId{static_cast<std::uint32_t>(thing - features.begin())}, tool));
     }
     p.run(1.5);
     const Seek& seek = p.app().guide().seek();
@@ -614,7 +616,7 @@ TEST(TakenAlongAWay, a_hand_opens_the_door_that_was_announced_a_moment_ago) {
     const auto& features = p.app().scene()->features;
     const auto desk =
         std::find_if(features.begin(), features.end(), [](const Feature& feature) { return feature.name == "Desk"; });
-    ASSERT_TRUE(p.ask("Desk", FeatureId{static_cast<std::uint32_t>(desk - features.begin())}, "Take me there"));
+    ASSERT_TRUE(p.request("Desk", FeatureId{static_cast<std::uint32_t>(desk - features.begin())}, "Take me there"));
     p.push();
     ASSERT_TRUE(p.wait_for([&] { return p.heard("Study door, wood is shut. Enter opens it."); }, 15.0))
         << p.all_heard(0);

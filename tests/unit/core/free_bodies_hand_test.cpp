@@ -52,8 +52,8 @@ struct Hand : test::Explorer {
     explicit Hand(const std::string& entities) : Hand(hall(entities)) {}
     // Moves the device so that its point is at `world_m` in the world.
     void to(const Vec3& world_m, double speed_m_per_s = 0.05) {
-        const HandOutput told = app().hand();
-        hold((world_m - told.pose.origin_m) / told.tuning.touch.world_m_per_hand_m, speed_m_per_s);
+        const HandOutput reported = app().hand();
+        hold((world_m - reported.pose.origin_m) / reported.tuning.touch.world_m_per_hand_m, speed_m_per_s);
     }
     Vec3 at(const std::string& name) { return app().thing_at(name).value_or(Placement{}).position_m; }
     Rotation turned(const std::string& name) { return app().thing_at(name).value_or(Placement{}).rotation; }
@@ -333,8 +333,8 @@ void lives_among_things(const std::filesystem::path& file) {
         const double what = part(random);
         if (what < 0.45) {
             const Vec3 thing = here.at(name_of(static_cast<int>(part(random) * kThings)));
-            const HandOutput told = here.app().hand();
-            const Vec3 there = (thing - told.pose.origin_m) / told.tuning.touch.world_m_per_hand_m;
+            const HandOutput reported = here.app().hand();
+            const Vec3 there = (thing - reported.pose.origin_m) / reported.tuning.touch.world_m_per_hand_m;
             const double z = part(random), y = part(random), x = part(random);
             const Vec3 anywhere = 0.14 * (Vec3(x, y, z) - Vec3(0.5));
             here.moved(glm::length(there) < 0.1 ? there : anywhere, 0.05 + 0.1 * part(random));

@@ -44,7 +44,7 @@ struct Walk : test::AppSession {
     Vec3 at(const char* name) const { return app.thing_at(name).value_or(Placement{}).position_m; }
     // Returns true if the walker's cylinder overlaps nothing.
     bool stands_free() const {
-        return !app.world().solids->blocked(app.feet_m(), {body_size(*app.scene(), 0.25).radius_m - 1e-3, 1.5});
+        return !app.world().solids->blocked(app.feet_m(), {walker_size(*app.scene(), 0.25).radius_m - 1e-3, 1.5});
     }
 };
 

@@ -13,7 +13,7 @@ using test::Explorer;
 
 TEST(GrooveLegs, run_through_every_doorway_of_our_house_from_room_to_room) {
     const auto scene = test::our_world("house.map");
-    const auto navigation = Navigation::make(*scene, walk_body(*scene, 0.25, 1.7, 0.2));
+    const auto navigation = Navigation::make(*scene, walker_measures(*scene, 0.25, 1.7, 0.2));
     ASSERT_TRUE(navigation);
     const RoomGraph graph = make_rooms(*scene, (*navigation)->space());
     const std::vector<GrooveLeg> legs = grooves_through_doorways(graph, (*navigation)->space());
@@ -42,9 +42,9 @@ TEST(GrooveLegs, are_the_nearest_that_the_servo_can_hold_and_state_their_valid_r
 }
 
 TEST(Grooves, are_off_by_default_and_otherwise_hold_a_hand_in_a_doorway) {
-    for (const bool wished : {false, true}) {
+    for (const bool wanted : {false, true}) {
         Settings settings;
-        settings.guidance.grooves = wished;
+        settings.guidance.grooves = wanted;
         settings.workspace.rim = false;
         Explorer p(test::our_world("house.map"), "sim-t", settings);
         // The walker is in the hall, in front of the living room's door. The test puts the proxy on the floor, 15 cm
@@ -56,8 +56,8 @@ TEST(Grooves, are_off_by_default_and_otherwise_hold_a_hand_in_a_doorway) {
             return door->bounds_m.centre_m();
         }();
         p.run(1.0);
-        EXPECT_EQ(p.app().guide().path().number != 0, wished);
-        if (wished) {
+        EXPECT_EQ(p.app().guide().path().number != 0, wanted);
+        if (wanted) {
             EXPECT_EQ(p.app().guide().path().kind, GuidanceKind::Grooves);
             EXPECT_EQ(p.tool().guidance.phase, GuidancePhase::Acts);
         }
@@ -66,10 +66,10 @@ TEST(Grooves, are_off_by_default_and_otherwise_hold_a_hand_in_a_doorway) {
         p.hold((Vec3(portal.x + 0.4, portal.y + 0.15, floor_m) - pose.origin_m) / 60.0);
         p.run(0.2);
         const Vec3 force = p.tool().guidance.force_n;
-        if (wished) EXPECT_LT(force.y, -0.1) << "towards the middle of the doorway";
+        if (wanted) EXPECT_LT(force.y, -0.1) << "towards the middle of the doorway";
         else EXPECT_EQ(force, Vec3(0.0));
         EXPECT_LE(glm::length(force), 0.8);
-        if (!wished) continue;
+        if (!wanted) continue;
         // While the hand is guided at the person's request, it feels only the pull. After that, the grooves are back,
         // now also along the route.
         const std::uint32_t doorways = p.app().guide().path().count;

@@ -432,7 +432,7 @@ TEST(WarmerTest, signals_by_pitch_how_directly_the_person_approaches_or_moves_aw
 
 // The route has two legs in the form of an L. A walker who goes round its corner hears the walking distance. The
 // distance does not jump if the route is planned again.
-TEST(SoughtWayTest, measures_walking_distance_calls_from_the_next_turn_and_is_continuous_on_replanning) {
+TEST(SoughtRouteTest, measures_walking_distance_calls_from_the_next_turn_and_is_continuous_on_replanning) {
     SoughtRoute way;
     const auto follow = [&](const Vec3& at_m) { way.follow(at_m, kHeightCountsForWalkers, {}); };
     EXPECT_TRUE(way.wants_plan(false, 0.0));
@@ -443,11 +443,11 @@ TEST(SoughtWayTest, measures_walking_distance_calls_from_the_next_turn_and_is_co
     EXPECT_FALSE(way.wants_plan(true, 0.5)) << "no sooner than after a second";
     EXPECT_NEAR(way.left_m(), 20.5, 1e-9);
     EXPECT_EQ(way.next_turning_m(), Vec3(0, 10, 0));
-    double before_m = way.told_m();
+    double before_m = way.announced_m();
     for (double y = 0.1; y < 9.55; y += 0.1) {
         follow({0, y, 0});
-        EXPECT_NEAR(before_m - way.told_m(), 0.1, 1e-9);
-        before_m = way.told_m();
+        EXPECT_NEAR(before_m - way.announced_m(), 0.1, 1e-9);
+        before_m = way.announced_m();
     }
     EXPECT_EQ(way.next_turning_m(), Vec3(0, 10, 0));
     follow({0, 9.7, 0});
@@ -460,19 +460,19 @@ TEST(SoughtWayTest, measures_walking_distance_calls_from_the_next_turn_and_is_co
     EXPECT_TRUE(way.wants_plan(false, 5.0));
     // The new route is 4 m longer. The announced distance stays the same, and approaches that of the new route only
     // while the walker moves. So an approach never sounds like moving away.
-    before_m = way.told_m();
+    before_m = way.announced_m();
     way.plan({{3, 11.5, 0}, {3, 16, 0}, {10, 16, 0}}, {}, 1.0, {3, 11.5, 0}, 6.0);
-    EXPECT_NEAR(way.told_m(), before_m, 1e-9);
+    EXPECT_NEAR(way.announced_m(), before_m, 1e-9);
     Vec3 at(3, 11.5, 0);
     for (int i = 0; i < 38; ++i) {
         at.y += 0.1;
         follow(at);
-        EXPECT_LT(way.told_m(), before_m);
-        EXPECT_GT(way.told_m(), before_m - 0.16);
-        before_m = way.told_m();
+        EXPECT_LT(way.announced_m(), before_m);
+        EXPECT_GT(way.announced_m(), before_m - 0.16);
+        before_m = way.announced_m();
     }
     follow(at);
-    EXPECT_NEAR(way.told_m(), before_m, 1e-9) << "who rests hears no change";
+    EXPECT_NEAR(way.announced_m(), before_m, 1e-9) << "who rests hears no change";
     // If the route is in sight, even from afar, the walker can return to it. If the route is hidden, it must be planned
     // again.
     for (const bool seen : {true, false}) {
@@ -481,7 +481,7 @@ TEST(SoughtWayTest, measures_walking_distance_calls_from_the_next_turn_and_is_co
     }
     way.follow(Vec3(5, 9, 0), kHeightCountsForWalkers, {});
     EXPECT_TRUE(way.wants_plan(false, 8.0)) << "seen, but far";
-    way.no_way(9.0);
+    way.no_route(9.0);
     EXPECT_FALSE(way.known());
 }
 
@@ -590,14 +590,14 @@ TEST(TakeMe, leads_around_obstacles_along_the_planned_path_and_by_ear_without_fo
     p.enter();
     p.hand_at({1.2, 3.7, 0.3});  // The hand is behind the table.
     p.run(0.1);
-    const auto ask = [&] {
+    const auto request = [&] {
         p.tap(Command::Find);
         p.type("radiator");
         p.key("Enter");
         p.key("Down");
         p.key("Enter");
     };
-    ask();
+    request();
     EXPECT_TRUE(p.heard("Taking your hand to Radiator")) << testing::PrintToString(p.said);
     p.run(1.1);
     const GuidancePath& path = p.app.guide().path();
@@ -611,7 +611,7 @@ TEST(TakeMe, leads_around_obstacles_along_the_planned_path_and_by_ear_without_fo
     p.tap(Command::TakeMe);
     p.hand_at({3.0, 1.0, 1.0});
     p.tap(Command::ToggleForces);
-    ask();
+    request();
     EXPECT_TRUE(p.heard("Forces are off. Follow the beacon"));
 }
 
@@ -627,7 +627,7 @@ TEST(TakeMe, reports_an_unreachable_target_and_goes_to_the_nearest_reachable_pla
     b.scene().name = "walled up";
     b.start({2, 2, 0}, 0.0);
     const auto scene = b.share();
-    const auto ask = [](Person& p) {
+    const auto request = [](Person& p) {
         p.tap(Command::Find);
         p.type("chest");
         p.key("Enter");
@@ -638,7 +638,7 @@ TEST(TakeMe, reports_an_unreachable_target_and_goes_to_the_nearest_reachable_pla
     hand.enter({}, scene);
     hand.hand_at({2.0, 2.0, 1.0});
     hand.run(0.1);
-    ask(hand);
+    request(hand);
     EXPECT_TRUE(
         hand.heard("No walking route found to Chest. Taking your hand to the nearest place that can be reached, "))
         << testing::PrintToString(hand.said);
@@ -648,7 +648,7 @@ TEST(TakeMe, reports_an_unreachable_target_and_goes_to_the_nearest_reachable_pla
     EXPECT_NEAR(path.points_m[path.count - 1].x, 4.7, 0.1) << "before the wall";
     Person keys;
     keys.enter({}, scene);
-    ask(keys);
+    request(keys);
     EXPECT_TRUE(keys.heard("No walking route found to Chest. The nearest place you can reach is"))
         << testing::PrintToString(keys.said);
     EXPECT_TRUE(keys.heard("To the nearest place to Chest.")) << testing::PrintToString(keys.said);

@@ -40,11 +40,11 @@ WalkerWorld walls_of(const Scene& scene) {
     return WalkerWorld(std::move(still));
 }
 
-bool body_sees_hand(const WalkerWorld& walls, const Explorer& p, const Vec3& feet_m) {
+bool walker_sees_hand(const WalkerWorld& walls, const Explorer& p, const Vec3& feet_m) {
     const Vec3 hand = p.tool().proxy_m;
     for (const double height_m : {0.2, 0.6, 1.0, 1.5, hand.z - feet_m.z}) {
         const TraceHit hit = walls.trace(feet_m + Vec3(0.0, 0.0, height_m), hand, WalkerShape{}, true);
-        if (!hit.hit || glm::length(hand - hit.end_m) <= p.tool().ball_radius_m) return true;
+        if (!hit.hit || glm::length(hand - hit.end_m) <= p.tool().proxy_radius_m) return true;
     }
     return false;
 }
@@ -92,7 +92,7 @@ TEST(AHandForWantOfADevice, stays_ahead_where_the_keys_moved_it_and_follows_the_
     EXPECT_GT(off.y, 0.8);
     walk_into_the_study(*p);
     p->run(1.0);
-    EXPECT_TRUE(body_sees_hand(walls_of(*test::our_world("house.map")), *p, p->app().feet_m()));
+    EXPECT_TRUE(walker_sees_hand(walls_of(*test::our_world("house.map")), *p, p->app().feet_m()));
 }
 
 TEST(AHandOnADevice, follows_the_walker_through_a_door_with_force_rising_from_zero_and_an_announcement) {
@@ -104,7 +104,7 @@ TEST(AHandOnADevice, follows_the_walker_through_a_door_with_force_rising_from_ze
     p.tap(Command::Use, 3.0);
     std::optional<double> unseen_s;
     double most_gain_after = 0.0;
-    bool came = false, asked = false;
+    bool came = false, requested = false;
     std::uint32_t jump = p.tool().workspace_jump;
     for (int i = 0; i < 400; ++i) {
         if (i % 80 == 0 && i < 320) p.tap(Command::Forward, 0.0);
@@ -113,12 +113,12 @@ TEST(AHandOnADevice, follows_the_walker_through_a_door_with_force_rising_from_ze
             came = true;
             most_gain_after = std::max(most_gain_after, p.tool().force_gain);
         }
-        if (body_sees_hand(walls, p, p.app().feet_m())) unseen_s.reset();
+        if (walker_sees_hand(walls, p, p.app().feet_m())) unseen_s.reset();
         else if (!unseen_s) unseen_s = p.now_s();
         ASSERT_LE(unseen_s ? p.now_s() - *unseen_s : 0.0, 1.0);
-        if (!unseen_s || asked || p.now_s() - *unseen_s < 0.1) continue;
+        if (!unseen_s || requested || p.now_s() - *unseen_s < 0.1) continue;
         // The hand is still in the hall, so questions are answered for the place of the walker's feet.
-        asked = true;
+        requested = true;
         const std::size_t from = p.lines();
         p.tap(Command::WhatIsThis, 0.02);
         p.tap(Command::SetBeacon, 0.02);
@@ -127,7 +127,7 @@ TEST(AHandOnADevice, follows_the_walker_through_a_door_with_force_rising_from_ze
         EXPECT_FALSE(p.heard("clock", from)) << p.all_heard(from);
         EXPECT_FALSE(p.heard("Hall", from)) << p.all_heard(from);
     }
-    EXPECT_TRUE(asked);
+    EXPECT_TRUE(requested);
     EXPECT_TRUE(came);
     EXPECT_LT(most_gain_after, 0.02);
     EXPECT_TRUE(p.heard("Hand brought back to you"));
@@ -146,8 +146,9 @@ TEST(TheHand, is_visible_from_the_body_within_a_second_after_every_passage_throu
     for (const fs::path& file : files) {
         const auto scene = test::world_once(file);
         const WalkerWorld walls = walls_of(*scene);
-        const WalkerSize size = body_size(*scene, Settings{}.walk.body_radius_m);
-        const auto space = make_walk_space(*scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m));
+        const WalkerSize size = walker_size(*scene, Settings{}.walk.body_radius_m);
+        const auto space =
+            make_walk_space(*scene, walker_measures(*scene, size.radius_m, size.height_m, size.step_up_m));
         ASSERT_TRUE(space) << file;
         const RoomGraph graph = make_rooms(*scene, *space);
         int ways = 0, doors = 0, brought = 0;
@@ -173,7 +174,7 @@ TEST(TheHand, is_visible_from_the_body_within_a_second_after_every_passage_throu
                     for (int i = 0; i < 180; ++i) {
                         if (i % 45 == 0 && i < 135) p->tap(Command::Forward, 0.0);
                         p->run(1.0 / 60.0);
-                        if (body_sees_hand(walls, *p, p->app().feet_m())) unseen_s.reset();
+                        if (walker_sees_hand(walls, *p, p->app().feet_m())) unseen_s.reset();
                         else if (!unseen_s) unseen_s = p->now_s();
                         ASSERT_LE(unseen_s ? p->now_s() - *unseen_s : 0.0, 1.0)
                             << file << (device ? ", device" : ", keys") << ", door " << doors << ", heading "

@@ -17,7 +17,7 @@ struct Ground {
         b.scene().game_map = game;
         scene = b.share();
         world = std::make_unique<WalkerWorld>(scene);
-        rules = ground_rules(*scene, body_size(*scene, 0.25));
+        rules = ground_rules(*scene, walker_size(*scene, 0.25));
     }
     GroundAhead ahead(const Vec3& feet, double heading, double range = 6.3) const {
         return ground_ahead(*world, feet, heading, rules, range);

@@ -36,7 +36,7 @@ std::shared_ptr<const Scene> rooms() {
 TEST(Hunt, hides_the_clock_at_a_walkable_place_far_enough_away_and_leads_there) {
     const auto scene = rooms();
     const WalkerWorld world(scene);
-    const WalkerSize body = body_size(*scene, 0.25);
+    const WalkerSize body = walker_size(*scene, 0.25);
     HuntGround ground(world, {1, 1, 0}, body);
     std::set<std::pair<int, int>> places;
     for (std::uint64_t number = 0; number < 40; ++number) {
@@ -65,7 +65,7 @@ TEST(Hunt, hides_the_clock_at_a_walkable_place_far_enough_away_and_leads_there) 
 TEST(Hunt, hides_as_far_away_as_it_can_where_nothing_is_far_enough) {
     const auto scene = rooms();
     const WalkerWorld world(scene);
-    const HuntGround ground(world, {1, 1, 0}, body_size(*scene, 0.25));
+    const HuntGround ground(world, {1, 1, 0}, walker_size(*scene, 0.25));
     const Vec3 clock = ground.hiding_place(3, 1000.0);
     ASSERT_TRUE(ground.way_m(clock));
     for (std::uint64_t number = 0; number < 40; ++number)
@@ -81,7 +81,7 @@ std::size_t places_around_a_plinth(double floor_m, double plinth_m) {
     b.start({0.5, 0.5, floor_m}, 0.0);
     const auto scene = b.share();
     const WalkerWorld world(scene);
-    return HuntGround(world, {0.5, 0.5, floor_m}, body_size(*scene, 0.25)).size();
+    return HuntGround(world, {0.5, 0.5, floor_m}, walker_size(*scene, 0.25)).size();
 }
 
 TEST(Hunt, knows_each_place_once_and_none_that_nobody_can_step_up_to) {
@@ -123,7 +123,7 @@ TEST(Hunt, is_won_in_the_house_by_a_newcomer_with_keys_and_ears_and_the_best_tim
             } else {
                 ++by_hint;
                 followed = 0;
-                const std::string hint = newcomer.ask("0");
+                const std::string hint = newcomer.request("0");
                 if (hint.find("No walking route") != std::string::npos) newcomer.tap("Home");
                 else ASSERT_TRUE(newcomer.obey(hint)) << newcomer.last_lines(3);
             }

@@ -24,7 +24,7 @@ struct Player : test::AppSession {
     void taps(Command command, int times, double each_s = 1.0) {
         for (int i = 0; i < times; ++i) tap(command, each_s);
     }
-    std::string stands() { return ask(Command::Labyrinth); }
+    std::string stands() { return request(Command::Labyrinth); }
 };
 
 TEST(Labyrinth, first_level_can_be_finished_in_under_two_minutes_with_only_the_spoken_information) {
@@ -32,8 +32,8 @@ TEST(Labyrinth, first_level_can_be_finished_in_under_two_minutes_with_only_the_s
     EXPECT_TRUE(player.heard("Labyrinth 1.")) << player.news();
     // The announcements name the keys that this player presses.
     const KeyMap keys_of({});
-    for (const Command told : {Command::Use, Command::Labyrinth, Command::PutBack})
-        EXPECT_TRUE(player.heard(keys_of.keys_of(told))) << keys_of.keys_of(told) << ": " << player.news();
+    for (const Command reported : {Command::Use, Command::Labyrinth, Command::PutBack})
+        EXPECT_TRUE(player.heard(keys_of.keys_of(reported))) << keys_of.keys_of(reported) << ": " << player.news();
     player.tap(Command::Use, 0.5);
     ASSERT_TRUE(player.heard("Ball held"));
     const double began_s = player.now;
@@ -181,12 +181,12 @@ TEST(Labyrinth, second_level_is_finished_over_the_plank_twice_and_the_best_time_
         EXPECT_TRUE(player.heard("The hole is covered."));
         EXPECT_TRUE(player.heard("Ball stopped by Border, wood."));
         EXPECT_TRUE(player.heard("That is the first result recorded here.")) << player.news();
-        EXPECT_EQ(player.ask(Command::PutBack), "Everything is back at the start.");
+        EXPECT_EQ(player.request(Command::PutBack), "Everything is back at the start.");
         player.said.clear();
         player.run(0.5);
         EXPECT_NE(player.stands().find("A hole is 1.5 rolls east."), std::string::npos);
         const std::string before = player.stands();
-        EXPECT_EQ(player.ask(Command::RepeatLeg), "You are not following a route.")
+        EXPECT_EQ(player.request(Command::RepeatLeg), "You are not following a route.")
             << "who asks for a leg loses no game";
         EXPECT_EQ(player.stands(), before);
     }
@@ -231,7 +231,7 @@ TEST(Labyrinth, restarted_behaves_bit_identically_to_another_run) {
     EXPECT_GT(glm::length(once.back().position_m - once[1].position_m), 0.3);
     EXPECT_GT(glm::length(once[once.size() - 2].position_m - once[0].position_m), 0.3);
     for (Player* player : {&first, &second})
-        EXPECT_EQ(player->ask(Command::PutBack), "Everything is back at the start.");
+        EXPECT_EQ(player->request(Command::PutBack), "Everything is back at the start.");
     const std::vector<Placement> again = course_of(first);
     EXPECT_EQ(again, course_of(second));
 }
@@ -294,8 +294,8 @@ TEST(Labyrinth, commands_say_so_in_worlds_that_are_not_labyrinths) {
     house.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
     house.run(0.1);
     EXPECT_FALSE(house.heard("Labyrinth"));
-    EXPECT_EQ(house.ask(Command::Labyrinth), "This world is not a labyrinth. The list of worlds has some.");
-    EXPECT_EQ(house.ask(Command::PutBack), "Nothing can be moved here.");
+    EXPECT_EQ(house.request(Command::Labyrinth), "This world is not a labyrinth. The list of worlds has some.");
+    EXPECT_EQ(house.request(Command::PutBack), "Nothing can be moved here.");
 }
 
 TEST(Labyrinth, is_played_in_german) {
@@ -329,7 +329,7 @@ TEST(LabyrinthKeys, that_make_no_complete_game_are_reported_with_their_line) {
 }
 
 TEST(LabyrinthKeys, that_are_misplaced_are_ignored_and_the_rest_is_played) {
-    const auto told = [](const std::string& entities, const std::string& sentence) {
+    const auto reported = [](const std::string& entities, const std::string& sentence) {
         const std::string room = test::room_brushes(0, 0, 0, 256, 256, 128);
         const auto scene = read_quake_map(
             entity("worldspawn", key("message", "Hall") + key("building", "1") + key("labyrinth", "2"), room) + kBall +
@@ -341,15 +341,16 @@ TEST(LabyrinthKeys, that_are_misplaced_are_ignored_and_the_rest_is_played) {
             << scene->report.warnings[0].sentence();
         EXPECT_TRUE(scene->labyrinth.there());
     };
-    told(entity("trigger_hole", "", box_brush(50, 50, -40, 60, 60, -20, "trigger")), "there is floor over this hole");
-    told(entity("thing", key("name", "Bench") + key("role", "plank"), box_brush(50, 50, 0, 60, 60, 10)),
-         "only a thing that is free to move");
-    told(entity("thing", key("cs_name", "dynamic_box") + key("name", "Bench") + key("role", "plonk"),
-                box_brush(50, 50, 0, 60, 60, 10)),
-         "the nearest is plank");
-    told(entity("thing", key("cs_name", "dynamic_sphere") + key("name", "Second") + key("role", "ball"),
-                box_brush(50, 50, 0, 60, 60, 10)),
-         "there is already a ball");
+    reported(entity("trigger_hole", "", box_brush(50, 50, -40, 60, 60, -20, "trigger")),
+             "there is floor over this hole");
+    reported(entity("thing", key("name", "Bench") + key("role", "plank"), box_brush(50, 50, 0, 60, 60, 10)),
+             "only a thing that is free to move");
+    reported(entity("thing", key("cs_name", "dynamic_box") + key("name", "Bench") + key("role", "plonk"),
+                    box_brush(50, 50, 0, 60, 60, 10)),
+             "the nearest is plank");
+    reported(entity("thing", key("cs_name", "dynamic_sphere") + key("name", "Second") + key("role", "ball"),
+                    box_brush(50, 50, 0, 60, 60, 10)),
+             "there is already a ball");
 }
 
 }  // namespace labyrinth_test

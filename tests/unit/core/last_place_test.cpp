@@ -165,14 +165,14 @@ TEST(GoOnAtLastPlace, puts_the_body_back_there_and_leaves_the_home_position_unch
     session.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
     session.run(0.1);
     const Vec3 home = session.app.feet_m();
-    EXPECT_THAT(session.ask(Command::LastPlace), HasSubstr("No session ended unexpectedly"));
+    EXPECT_THAT(session.request(Command::LastPlace), HasSubstr("No session ended unexpectedly"));
     session.hold(Command::Forward, 2.0);
     session.run(1.0);
     const LastPlace last{{"/house.map"}, session.app.feet_m(), 1.0};
     ASSERT_GT(glm::length(last.feet_m - home), 0.5);
-    session.ask(Command::Home);
+    session.request(Command::Home);
     session.app.apply(LastPlaceKnown{last}, 0.0);
-    session.ask(Command::LastPlace);
+    session.request(Command::LastPlace);
     const auto wanted = session.app.requests().take_last_place();
     ASSERT_TRUE(wanted);
     EXPECT_FALSE(session.app.requests().take_last_place());
@@ -180,7 +180,7 @@ TEST(GoOnAtLastPlace, puts_the_body_back_there_and_leaves_the_home_position_unch
     EXPECT_THAT(session.news(), HasSubstr("You are back where you were. "));
     EXPECT_LT(glm::length(session.app.feet_m() - last.feet_m), 0.05);
     EXPECT_NEAR(session.app.heading_rad(), 1.0, 1e-9);
-    session.ask(Command::Home);
+    session.request(Command::Home);
     EXPECT_LT(glm::length(session.app.feet_m() - home), 1e-9);
 }
 
@@ -192,14 +192,14 @@ TEST(GoOnAtLastPlace, moves_nobody_out_of_the_world_or_into_a_wall) {
     session.app.apply(WentOnAt{{{"/house.map"}, {1e6, 0.0, 0.0}, 0.0}}, session.now);
     EXPECT_THAT(session.news(), HasSubstr("no longer part of this world"));
     EXPECT_LT(glm::length(session.app.feet_m() - home), 1e-9);
-    const std::string inside_nothing = session.ask(Command::BringOut);
+    const std::string inside_nothing = session.request(Command::BringOut);
     // From any place within the bounds, the walker either can move afterwards or is at the base.
     const Aabb bounds = session.app.scene()->bounds_m;
     for (int i = 0; i < 40; ++i) {
         const Vec3 share(0.5 + 0.5 * std::sin(1.7 * i), 0.5 + 0.5 * std::sin(2.9 * i + 1.0), 0.05);
         session.app.apply(WentOnAt{{{"/house.map"}, bounds.min_m + share * bounds.size_m(), 0.0}}, session.now);
         session.run(1.0);
-        EXPECT_THAT(session.ask(Command::BringOut), HasSubstr(inside_nothing)) << i;
+        EXPECT_THAT(session.request(Command::BringOut), HasSubstr(inside_nothing)) << i;
     }
 }
 

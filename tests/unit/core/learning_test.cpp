@@ -22,8 +22,8 @@ using test::SceneBuilder;
 // Makes a world with its rooms, and a place to learn from the room around a point.
 struct Ground {
     Ground(const SceneBuilder& b, const Vec3& feet_m) : scene(b.share()), world(scene) {
-        const WalkerSize size = body_size(*scene, 0.25);
-        auto made = make_walk_space(*scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m));
+        const WalkerSize size = walker_size(*scene, 0.25);
+        auto made = make_walk_space(*scene, walker_measures(*scene, size.radius_m, size.height_m, size.step_up_m));
         EXPECT_TRUE(made) << made.error().sentence();
         space = std::move(*made);
         graph = make_rooms(*scene, space);
@@ -342,7 +342,7 @@ struct Lap : test::AppSession {
         walk(seconds);
         app.apply(CommandUp{command}, now);
     }
-    bool told(const char* words) const {
+    bool reported(const char* words) const {
         return std::any_of(said.begin(), said.end(),
                            [&](const std::string& line) { return words_in_order(words, line); });
     }
@@ -356,10 +356,10 @@ TEST_P(Outlines, of_a_lap_by_keys_are_reported_within_two_percent_at_every_part)
     for (const double share : {0.2, 0.35, 0.55, 1.0}) {
         if (share < 1.0 && test::kSanitizerScale < 1.0) continue;
         Lap lap(scene);
-        lap.ask(Command::LearnPlace);
+        lap.request(Command::LearnPlace);
         lap.walk(Command::TrailLeft, share * outline.lap_s);
         lap.walk(0.5);
-        const std::string report = lap.ask(Command::ProgressReport);
+        const std::string report = lap.request(Command::ProgressReport);
         int all = 0, touched = 0, floor = 0, walked = 0;
         outline.along_walls([&](const Vec3& wall, const Vec3& normal) {
             ++all;
@@ -381,8 +381,8 @@ TEST_P(Outlines, of_a_lap_by_keys_are_reported_within_two_percent_at_every_part)
             << report << " of " << share;
         if (share < 1.0) continue;
         EXPECT_GT(100.0 * touched / all, 95.0);
-        EXPECT_TRUE(lap.told("Wall 1 done"));
-        EXPECT_TRUE(lap.told("All walls done"));
+        EXPECT_TRUE(lap.reported("Wall 1 done"));
+        EXPECT_TRUE(lap.reported("All walls done"));
     }
 }
 
@@ -402,23 +402,23 @@ TEST(Learning, untouched_walls_are_not_reported_as_done) {
     wall({6.3, 1.5, 0}, {6.8, 2.6, 2.6}, "back of the pocket");
     b.start({3, 1, 0}, 0.0);
     Lap lap(b.share());
-    lap.ask(Command::LearnPlace);
+    lap.request(Command::LearnPlace);
     lap.walk(Command::TrailLeft, 60.0);
     lap.walk(0.5);
-    EXPECT_TRUE(lap.told("All walls done except")) << testing::PrintToString(lap.said);
+    EXPECT_TRUE(lap.reported("All walls done except")) << testing::PrintToString(lap.said);
     for (const std::string& line : lap.said) EXPECT_EQ(line.find("All walls done,"), std::string::npos) << line;
 }
 
 TEST(Learning, a_lap_past_a_door_finds_the_door) {
     const DoorRoom room(Vec3(0.0), 6.0, 4.0);
     Lap lap(room.scene);
-    lap.ask(Command::LearnPlace);
+    lap.request(Command::LearnPlace);
     lap.walk(Command::Forward, 1.0);
-    EXPECT_NE(lap.ask(Command::ProgressReport).find("0 of 1 door"), std::string::npos) << lap.said.back();
+    EXPECT_NE(lap.request(Command::ProgressReport).find("0 of 1 door"), std::string::npos) << lap.said.back();
     lap.walk(Command::TrailLeft, 26.0);
     lap.run(1.0);
-    EXPECT_NE(lap.ask(Command::ProgressReport).find("1 of 1 door"), std::string::npos) << lap.said.back();
-    EXPECT_TRUE(lap.told("North wall done"));
+    EXPECT_NE(lap.request(Command::ProgressReport).find("1 of 1 door"), std::string::npos) << lap.said.back();
+    EXPECT_TRUE(lap.reported("North wall done"));
 }
 
 // Makes two rooms with an open gap of a metre between them.
@@ -461,15 +461,15 @@ TEST(Learning, uses_the_room_of_the_graph_as_the_place_and_its_portals_as_exits)
 
 TEST(Learning, keeps_progress_of_a_room_after_leaving_it_and_can_report_on_all_rooms) {
     Lap lap(two_rooms().share());
-    EXPECT_TRUE(words_in_order("Learning Study The base is here", lap.ask(Command::LearnPlace)));
+    EXPECT_TRUE(words_in_order("Learning Study The base is here", lap.request(Command::LearnPlace)));
     lap.walk(Command::TrailLeft, 4.0);
-    const std::string before = lap.ask(Command::ProgressReport);
+    const std::string before = lap.request(Command::ProgressReport);
     const auto percents = [](const std::string& report) { return report.substr(0, report.find(" percent, floor")); };
     // Places the walker in the other room, so that it touches nothing on the way there.
     lap.app.apply(Placed{{8, 2, 0}, 0.0}, lap.now);
     lap.run(1.5);
-    EXPECT_TRUE(lap.told("Next room to learn Kitchen The base is here")) << lap.said.back();
-    EXPECT_TRUE(words_in_order("Walls 0 percent", lap.ask(Command::ProgressReport))) << lap.said.back();
+    EXPECT_TRUE(lap.reported("Next room to learn Kitchen The base is here")) << lap.said.back();
+    EXPECT_TRUE(words_in_order("Walls 0 percent", lap.request(Command::ProgressReport))) << lap.said.back();
     lap.walk(Command::TrailLeft, 2.0);
     lap.app.apply(CommandDown{Command::LearntRooms}, lap.now);
     lap.run(0.1);
@@ -482,8 +482,8 @@ TEST(Learning, keeps_progress_of_a_room_after_leaving_it_and_can_report_on_all_r
     lap.app.apply(KeyTapped{"Escape"}, lap.now);
     lap.app.apply(Placed{{2, 1, 0}, 0.0}, lap.now);
     lap.run(1.5);
-    EXPECT_TRUE(lap.told("Learning continues Study")) << lap.said.back();
-    EXPECT_EQ(percents(lap.ask(Command::ProgressReport)), percents(before));
+    EXPECT_TRUE(lap.reported("Learning continues Study")) << lap.said.back();
+    EXPECT_EQ(percents(lap.request(Command::ProgressReport)), percents(before));
 }
 
 TEST(Learning, an_unexplored_room_is_listed_as_unexplored) {

@@ -38,11 +38,11 @@ struct Visitor : AppSession {
     explicit Visitor(int rooms) {
         app.apply(WorldEntered{make_ready(building_with(rooms))}, 0.0);
         run(0.1);
-        ask(Command::Exits);
+        request(Command::Exits);
         run(0.1);
     }
     std::vector<std::string> names(Command command) {
-        ask(command);
+        request(command);
         return shown();
     }
     std::vector<std::string> shown() const {
@@ -89,13 +89,13 @@ TEST(LongLists, open_a_kind_and_return_to_the_kinds) {
 
 TEST(LongLists, choose_any_entry_by_its_typed_name) {
     Visitor s(40);
-    s.ask(Command::Describe);
+    s.request(Command::Describe);
     EXPECT_TRUE(s.app.dialogue().holds("room u140"));
     EXPECT_TRUE(s.app.dialogue().holds("Room U140", true));
     EXPECT_FALSE(s.app.dialogue().holds("Room U141", true));
     EXPECT_THAT(s.line("room g139"), StartsWith("Room G139: "));
     EXPECT_FALSE(s.app.dialogue().is_open());
-    s.ask(Command::Routes);
+    s.request(Command::Routes);
     EXPECT_THAT(s.line("Room G139"), HasSubstr("Room G139"));
     EXPECT_TRUE(s.app.guide().leads_to("Room G139"));
     // Numbers choose among the kinds.
@@ -106,7 +106,7 @@ TEST(LongLists, choose_any_entry_by_its_typed_name) {
 
 TEST(LongLists, show_all_entries_when_letters_of_one_are_typed) {
     Visitor s(40);
-    s.ask(Command::Describe);
+    s.request(Command::Describe);
     for (const char* letters : {"r", "o", "o", "m", " ", "u", "1", "4"}) s.app.apply(TextTyped{letters}, s.now);
     EXPECT_EQ(s.shown()[s.app.dialogue().view().at], "Room U140");
     s.app.apply(KeyTapped{"Enter"}, s.now);

@@ -59,16 +59,16 @@ TEST(Menu, leads_by_topic_to_every_command_with_its_key) {
     p.line("what you can do");
     const std::string topics = p.line("list");
     EXPECT_THAT(topics, HasSubstr("Questions and speech"));
-    std::set<std::string> told;
+    std::set<std::string> reported;
     for (int topic = 2; topic <= 7; ++topic) {
         p.line(std::to_string(topic));
         const std::string all = p.line("list");
         for (const CommandInfo& row : command_table())
             if (all.find(row.help().substr(0, row.help().size() - 1)) != std::string::npos)
-                told.insert(std::string(row.word));
+                reported.insert(std::string(row.word));
         p.line("escape");
     }
-    for (const CommandInfo& row : command_table()) EXPECT_TRUE(told.contains(std::string(row.word))) << row.word;
+    for (const CommandInfo& row : command_table()) EXPECT_TRUE(reported.contains(std::string(row.word))) << row.word;
     p.line("4");
     EXPECT_THAT(p.line("list"), HasSubstr("Say which way you face, C."));
     EXPECT_THAT(p.line("which way"), HasSubstr("Facing north"));
@@ -94,7 +94,7 @@ TEST(Rebinding, accepts_the_pressed_key_and_saves_it) {
 
 TEST(Rebinding, reports_conflicts_for_the_person_to_decide_and_can_restore_the_built_in_key) {
     Person p;
-    const auto ask_for = [&](const std::string& what) {
+    const auto request_of = [&](const std::string& what) {
         p.key("Tab");
         p.line("keys");
         p.line("all topics");
@@ -104,12 +104,12 @@ TEST(Rebinding, reports_conflicts_for_the_person_to_decide_and_can_restore_the_b
     const auto leave = [&] {
         while (p.app.dialogue().is_open()) p.key("Escape");
     };
-    ask_for("add another");
+    request_of("add another");
     EXPECT_THAT(p.key("E"), HasSubstr("E is already used for: Say what the hand is touching"));
     EXPECT_THAT(p.line("leave"), HasSubstr("Left as it is."));
     EXPECT_EQ(p.app.keys().find("E"), Command::WhatIsThis);
     leave();
-    ask_for("add another");
+    request_of("add another");
     p.key("E");
     EXPECT_THAT(p.line("take the key"), HasSubstr("now on C or E."));
     EXPECT_EQ(p.app.keys().find("E"), Command::Heading);
@@ -124,16 +124,16 @@ TEST(Rebinding, reports_conflicts_for_the_person_to_decide_and_can_restore_the_b
     again.keys = {{"what", "none"}, {"heading", "C E"}};
     EXPECT_TRUE(KeyMap(again.keys).problems().empty());
     EXPECT_EQ(KeyMap(again.keys).find("none"), std::nullopt);
-    ask_for("restore the default key");
+    request_of("restore the default key");
     EXPECT_EQ(p.app.keys().keys_of(Command::Heading), "C");
     leave();
-    ask_for("replace");
+    request_of("replace");
     EXPECT_THAT(p.line("Escape"), HasSubstr("Left as it is."));
     leave();
-    ask_for("replace");
+    request_of("replace");
     EXPECT_THAT(p.line("what key?"), HasSubstr("is not the name of a key"));
     leave();
-    ask_for("replace");
+    request_of("replace");
     EXPECT_FALSE(p.app.apply(KeyTapped{"F12"}, p.now)) << "the stop key stops, whatever is asked";
 }
 

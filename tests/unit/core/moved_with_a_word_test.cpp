@@ -58,7 +58,7 @@ TEST(Trailing, announces_an_initial_turn_of_the_body) {
         Body s(hall_with_stairs());
         s.app.apply(Placed{{4, 0.4, 0}, -0.5 * kPi}, s.now);
         s.news();
-        s.ask(Command::TrailRight);
+        s.request(Command::TrailRight);
         EXPECT_TRUE(s.heard(phrase("walking.trail_turns", {{"compass", phrase("compass.east")}, {"side", "right"}})))
             << s.news();
         s.rest();
@@ -67,7 +67,7 @@ TEST(Trailing, announces_an_initial_turn_of_the_body) {
         Body beside(hall_with_stairs());
         beside.app.apply(Placed{{4, 0.4, 0}, -0.5 * kPi}, beside.now);
         beside.news();
-        beside.ask(Command::TrailLeft);
+        beside.request(Command::TrailLeft);
         EXPECT_THAT(beside.news(), Not(HasSubstr(phrase("compass.west"))));
     }
 }
@@ -76,7 +76,7 @@ TEST(Trailing, announces_walking_to_the_wall_first) {
     Body s(hall_with_stairs());
     s.app.apply(Placed{{4, 3, 0}, 0.0}, s.now);
     s.news();
-    s.ask(Command::TrailLeft);
+    s.request(Command::TrailLeft);
     EXPECT_THAT(s.said.back(), HasSubstr("Going to the wall, "));
     EXPECT_THAT(s.said.back(), HasSubstr("with the wall on your left"));
 }
@@ -87,11 +87,11 @@ TEST(Trailing, waits_at_stairs_until_it_is_requested_again) {
         Body s(hall_with_stairs());
         s.app.apply(Placed{{5, 0.4, 0}, 0.5 * kPi}, s.now);
         s.news();
-        s.ask(Command::TrailRight);
+        s.request(Command::TrailRight);
         s.rest();
         const std::string waits = phrase("walking.trail_stairs_up");
         for (int i = 0; i < 5 && !s.heard(waits); ++i) {
-            s.ask(Command::TrailOn);
+            s.request(Command::TrailOn);
             s.rest();
         }
         EXPECT_TRUE(s.heard(waits)) << s.news();
@@ -99,7 +99,7 @@ TEST(Trailing, waits_at_stairs_until_it_is_requested_again) {
         EXPECT_GT(s.app.feet_m().x, 7.0) << "just before them";
         s.news();
         for (int i = 0; i < 30 && s.app.feet_m().z < 1.5; ++i) {  // In this world, each step is a separate thing.
-            s.ask(Command::TrailOn);
+            s.request(Command::TrailOn);
             s.rest();
         }
         EXPECT_GT(s.app.feet_m().z, 1.5) << "asked again it takes them";
@@ -110,8 +110,8 @@ TEST(Trailing, waits_at_stairs_until_it_is_requested_again) {
 // notch and every change of height must have been announced before.
 TEST(Trailing, never_turns_or_climbs_without_an_announcement_in_the_house) {
     Body s("house.map");
-    s.ask(Command::Exits);
-    s.ask(Command::PlanView);
+    s.request(Command::Exits);
+    s.request(Command::PlanView);
     s.run(0.1);
     const auto rooms = s.app.view({}, {}).rooms;
     ASSERT_TRUE(rooms);
@@ -140,7 +140,7 @@ TEST(Trailing, never_turns_or_climbs_without_an_announcement_in_the_house) {
             ASSERT_LT(std::abs(s.app.feet_m().z - z_m), 0.5) << room.name << ": " << s.news();
         }
         s.app.apply(CommandUp{Command::TrailLeft}, s.now);
-        s.ask(Command::SquareUp);
+        s.request(Command::SquareUp);
     }
     EXPECT_GT(rooms->size(), 5U);
 }
@@ -161,41 +161,41 @@ TEST(Leaping, goes_to_the_nearest_thing_first_and_announces_the_new_place) {
     for (const char* language : kLanguages) {
         const test::InLanguage spoken(language);
         Body s(three_things());
-        s.ask(Command::LeapNext);
+        s.request(Command::LeapNext);
         EXPECT_NEAR(s.app.feet_m().x, -1.4, 0.4) << "the post";
         EXPECT_EQ(s.said.back(), phrase("walking.leapt", {{"name", "Post"}, {"compass", phrase("compass.west")}}));
         s.run(0.1);
-        s.ask(Command::LeapNext);
+        s.request(Command::LeapNext);
         EXPECT_THAT(s.said.back(), HasSubstr("Oak")) << "not back to the post";
         const Vec3 oak_m = s.app.feet_m();
         s.run(0.1);
-        s.ask(Command::LeapNext);
+        s.request(Command::LeapNext);
         EXPECT_THAT(s.said.back(), HasSubstr("Well"));
         s.run(0.1);
-        s.ask(Command::LeapLast);
+        s.request(Command::LeapLast);
         EXPECT_THAT(s.said.back(), HasSubstr("Oak"));
         EXPECT_EQ(s.app.feet_m(), oak_m);
         s.run(0.1);
-        s.ask(Command::LeapLast);
+        s.request(Command::LeapLast);
         EXPECT_THAT(s.said.back(), HasSubstr("Post"));
         s.run(0.1);
-        s.ask(Command::LeapLast);
+        s.request(Command::LeapLast);
         EXPECT_EQ(s.said.back(), phrase("leap.no_last", {{"key", s.app.keys().keys_of(Command::UndoLeap)}}));
         // After a turn, the series of leaps begins again with the nearest thing.
         s.tap(Command::TurnLeft, 0.3);
-        s.ask(Command::LeapNext);
+        s.request(Command::LeapNext);
         EXPECT_THAT(s.said.back(), Not(HasSubstr("Well")));
     }
 }
 
 TEST(Leaping, reaches_every_door_of_the_room_even_out_of_sight) {
     Body s("house.map");
-    s.ask(Command::Exits);
+    s.request(Command::Exits);
     s.run(0.1);
     const std::string exits = s.said.back();
     std::set<std::string> leapt;
     for (int i = 0; i < 24; ++i) {
-        s.ask(Command::LeapNext);
+        s.request(Command::LeapNext);
         leapt.insert(s.said.back());
         s.run(0.1);
     }
@@ -216,7 +216,7 @@ TEST(Leaping, announces_a_leap_to_a_higher_or_lower_level) {
     b.scene().features[post.value].landmark = true;
     b.start({0, 0, 0}, 0.0);
     Body s(b.share());
-    s.ask(Command::LeapNext);
+    s.request(Command::LeapNext);
     EXPECT_NEAR(s.app.feet_m().z, 0.4, 0.05);
     EXPECT_THAT(s.said.back(), HasSubstr("0.4 metres higher."));
 }

@@ -51,7 +51,7 @@ void Newcomer::hold(const std::string& key, double seconds) {
     wait(0.2);
 }
 
-std::string Newcomer::ask(const std::string& key, double listen_s) {
+std::string Newcomer::request(const std::string& key, double listen_s) {
     const std::size_t before = lines();
     tap(key, listen_s);
     std::string all;
@@ -74,7 +74,7 @@ std::string Newcomer::last_lines(std::size_t count) const {
 // Parses "Facing north, 12 degrees".
 double Newcomer::heading_deg() {
     static const std::regex degrees("(\\d+) degrees");
-    const std::string text = ask("C", 0.2);
+    const std::string text = request("C", 0.2);
     std::smatch found;
     return std::regex_search(text, found, degrees) ? std::stod(found[1]) : 0.0;
 }
@@ -106,11 +106,11 @@ bool Newcomer::walk(int steps) {
             continue;
         }
         if (!bumped_since(sounds)) continue;
-        if (told_of_lock(said)) return true;
+        if (heard_of_lock(said)) return true;
         // If the leaf of an open door blocks the newcomer, the Use key is not pressed, because it would shut the door.
         if (!heard("open", said) && (heard("shut", said) || heard("door", said) || door_ahead())) {
-            const std::string answer = ask("Enter", 3.0);
-            if (told_of_lock(said)) return true;
+            const std::string answer = request("Enter", 3.0);
+            if (heard_of_lock(said)) return true;
             if (answer.find("opens") != std::string::npos || answer.find("Left") != std::string::npos) {
                 tap("Up", 0.9);
                 continue;
@@ -122,17 +122,17 @@ bool Newcomer::walk(int steps) {
 }
 
 bool Newcomer::door_ahead() {
-    const std::string ahead = ask("3");
+    const std::string ahead = request("3");
     return ahead.find("oor") != std::string::npos || ahead.find("ntrance") != std::string::npos;
 }
 
 // Parses "Door is locked. Button, metal opens it, 70 steps, behind, above."
-bool Newcomer::told_of_lock(std::size_t since) {
-    static const std::regex told("(\\S.*) is locked\\. (.+) opens it, (.+)\\.");
+bool Newcomer::heard_of_lock(std::size_t since) {
+    static const std::regex reported("(\\S.*) is locked\\. (.+) opens it, (.+)\\.");
     std::smatch found;
     for (std::size_t i = since; i < lines(); ++i) {
         const std::string text = line(i);
-        if (!std::regex_search(text, found, told)) continue;
+        if (!std::regex_search(text, found, reported)) continue;
         locked_ = Locked{found[1], found[2], found[3]};
         return true;
     }
@@ -149,7 +149,7 @@ void Newcomer::get_round() {
 // Presses the announced key, then waits until the lift has stopped and its door has had time to open.
 void Newcomer::ride() {
     const std::size_t since = lines();
-    ask("Enter");
+    request("Enter");
     for (int i = 0; i < 60 && !heard("stops", since); ++i) wait(0.5);
     wait(2.0);
 }
@@ -160,7 +160,7 @@ bool Newcomer::obey(const std::string& text) {
         return true;
     }
     if (text.find("You are standing at them. Use Enter to take them") != std::string::npos) {
-        ask("Enter", 1.0);
+        request("Enter", 1.0);
         return true;
     }
     const auto direction = direction_in(text);
@@ -173,9 +173,9 @@ bool Newcomer::obey(const std::string& text) {
 
 // A long list begins with its kinds. The last of them opens the whole list.
 std::string Newcomer::open_list(const std::string& key) {
-    std::string spoken = ask(key);
-    if (session_->app().dialogue().is_open() && begins(ask("End"), "Everything")) spoken = ask("Enter");
-    else if (session_->app().dialogue().is_open()) ask("Home");
+    std::string spoken = request(key);
+    if (session_->app().dialogue().is_open() && begins(request("End"), "Everything")) spoken = request("Enter");
+    else if (session_->app().dialogue().is_open()) request("Home");
     static const std::regex title("^[^.]*\\. ");
     return std::regex_replace(spoken, title, "", std::regex_constants::format_first_only);
 }
@@ -190,7 +190,7 @@ std::vector<std::string> Newcomer::entries(const std::string& key) {
         const std::string entry = entry_of(spoken);
         if (all.size() > 1 && entry == all.front() && spoken.find(" 1 of ") != std::string::npos) break;
         all.push_back(entry);
-        before = std::exchange(spoken, ask("Down"));
+        before = std::exchange(spoken, request("Down"));
     }
     while (session_->app().dialogue().is_open()) tap("Escape");
     return all;
@@ -201,13 +201,13 @@ std::string Newcomer::choose(const std::string& key, const std::string& begin) {
     std::string before;
     for (int i = 0; i < 200; ++i) {
         if (begins(spoken, begin)) {
-            const std::string answer = ask("Enter", 0.8);
+            const std::string answer = request("Enter", 0.8);
             // If several things have that name, chooses the nearest one.
-            return answer.find(": which one?") == std::string::npos ? answer : ask("Enter", 0.8);
+            return answer.find(": which one?") == std::string::npos ? answer : request("Enter", 0.8);
         }
         if (spoken == before || spoken.empty()) break;
         before = spoken;
-        spoken = ask("Down");
+        spoken = request("Down");
     }
     tap("Escape");
     return {};
@@ -224,14 +224,14 @@ bool Newcomer::go_by_words_to_thing(const std::string& thing) {
     const std::size_t since = lines();
     if (choose("Shift+H", thing).empty()) return false;
     tap("Down");
-    const std::string way = ask("Enter", 0.8);
+    const std::string way = request("Enter", 0.8);
     if (way.empty() || way.find("No walking route") != std::string::npos) return false;
     return follow_words_to(thing, since);
 }
 
 bool Newcomer::follow_words_to(const std::string& goal, std::size_t since) {
     locked_.reset();
-    for (int asked = 0; asked < 120 && !locked_; ++asked) {
+    for (int requested = 0; requested < 120 && !locked_; ++requested) {
         if (heard(goal + " You are there", since)) return true;
         const std::string on = choose("Shift+4", "Where the route continues");
         if (heard(goal + " You are there", since)) return true;

@@ -26,7 +26,7 @@ public:
     void tap(const std::string& key, double then_s = 0.4);
     void hold(const std::string& key, double seconds);
     // Presses a key, and returns everything spoken after that as one text.
-    std::string ask(const std::string& key, double listen_s = 0.4);
+    std::string request(const std::string& key, double listen_s = 0.4);
     bool heard(const std::string& words, std::size_t since = 0) const;
     std::size_t lines() const { return speech_.lines().size(); }
     std::string line(std::size_t i) const { return speech_.lines()[i].utterance.text; }
@@ -87,7 +87,7 @@ private:
     bool door_ahead();
     void get_round();
     void ride();
-    bool told_of_lock(std::size_t since);
+    bool heard_of_lock(std::size_t since);
     bool follow_words_to(const std::string& goal, std::size_t since);
     double right_of_ears_deg(const Vec3& place_m) const;
     double heading_deg();

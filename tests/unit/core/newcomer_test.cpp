@@ -77,7 +77,7 @@ TEST(ANewcomer, opens_the_locked_door_of_the_fifth_tutorial_map_with_its_button_
     EXPECT_LT(n.feet_m().x, leaf.min_m.x) << "the start is west of the door, the exit east of it";
     std::cout << n.locked()->door << " locked, " << n.locked()->button << " " << n.locked()->where << ": after "
               << n.now_s() << " s\n";
-    const std::string exits = n.ask("X", 1.0);
+    const std::string exits = n.request("X", 1.0);
     EXPECT_TRUE(words_in_order("Locked door to " + exit_room, exits)) << exits;
     // Finds the button by the announced name, which is the same in the list of things.
     const std::string button = n.locked()->button.substr(0, n.locked()->button.find(", "));
@@ -170,11 +170,11 @@ TEST(ANewcomer, walks_in_the_university_to_three_rooms_on_two_storeys_and_out_ag
     }
     // Goes back to the porch of the main entrance, and through the door that leads outside.
     EXPECT_TRUE(n.go_to_room("Windfang")) << n.last_lines(60);
-    const auto is_out = [&] { return n.ask("1").find("Pedestrian area") != std::string::npos; };
+    const auto is_out = [&] { return n.request("1").find("Pedestrian area") != std::string::npos; };
     // The newcomer asks only once in each round, because a second question would get a longer answer.
     bool out_there = is_out();
-    for (int asked = 0; asked < 20 && !out_there; ++asked, out_there = is_out()) {
-        const std::string exits = n.ask("X");
+    for (int requested = 0; requested < 20 && !out_there; ++requested, out_there = is_out()) {
+        const std::string exits = n.request("X");
         const std::size_t out = exits.find("to Pedestrian area: ");
         ASSERT_NE(out, std::string::npos) << exits;
         EXPECT_TRUE(n.obey(exits.substr(out))) << exits;
@@ -255,7 +255,7 @@ void walks_to_three_rooms_and_out_again(const Building& building, const char* de
     }
     if (!building.back) return;
     EXPECT_TRUE(n.go_to_room("Ground outside")) << n.last_lines(60);
-    EXPECT_NE(n.ask("1").find("Ground outside"), std::string::npos) << n.last_lines(10);
+    EXPECT_NE(n.request("1").find("Ground outside"), std::string::npos) << n.last_lines(10);
     EXPECT_LT(std::abs(n.feet_m().z - begun_m.z), 1.0);
     std::cout << "outside after " << n.now_s() << " s\n";
 }
@@ -311,7 +311,7 @@ TEST(ANewcomer, hears_what_is_around_in_the_family_house_and_a_stair_route_to_it
     const std::string way = n.choose("Shift+4", "Galerie");
     EXPECT_EQ(way.find("in one go"), std::string::npos) << way;
     EXPECT_NE(way.find("tairs"), std::string::npos) << way;
-    const std::string around = n.ask("2");
+    const std::string around = n.request("2");
     EXPECT_NE(around.find("Ahead: "), std::string::npos) << around;
     EXPECT_EQ(around.find("round outside"), std::string::npos) << "what one stands on is no thing: " << around;
 }
@@ -332,7 +332,7 @@ TEST(ANewcomer, walks_to_every_room_of_the_duplex_and_the_family_house) {
         for (const char* unnamed : {"Niche", "Roof"}) rooms.erase(unnamed);
         for (const std::string& room : rooms) {
             // The newcomer has already been on the stairs, on the way to another room.
-            if (words_in_order("Stairs", n.ask("1")) && room == "Stairs") continue;
+            if (words_in_order("Stairs", n.request("1")) && room == "Stairs") continue;
             EXPECT_TRUE(n.go_to_room(room)) << room << ": " << n.last_lines(60);
         }
         std::cout << file << ": " << rooms.size() << " rooms after " << n.now_s() << " s\n";

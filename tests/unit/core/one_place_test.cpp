@@ -22,8 +22,8 @@ void in_every_room(const char* world, Each each) {
     AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world(world))}, 0.0);
     s.run(0.1);
-    s.ask(Command::Exits);
-    s.ask(Command::PlanView);
+    s.request(Command::Exits);
+    s.request(Command::PlanView);
     s.run(0.1);
     const auto rooms = s.app.view({}, {}).rooms;
     ASSERT_TRUE(rooms);
@@ -36,10 +36,10 @@ void in_every_room(const char* world, Each each) {
 }
 
 // Returns a map from names to places, such as "Study door" to "3 steps, half right", for exits whose name occurs once.
-std::map<std::string, std::string> exits_told(AppSession& s) {
-    std::map<std::string, std::string> told;
+std::map<std::string, std::string> exits_announced(AppSession& s) {
+    std::map<std::string, std::string> listed;
     std::set<std::string> twice;
-    std::string text = s.ask(Command::Exits);
+    std::string text = s.request(Command::Exits);
     for (std::size_t at = text.find(". "); at != std::string::npos;) {
         const std::size_t next = text.find(". ", at + 2);
         std::string one = text.substr(at + 2, next == std::string::npos ? next : next - at - 2);
@@ -48,30 +48,30 @@ std::map<std::string, std::string> exits_told(AppSession& s) {
         const std::size_t colon = one.find(": ");
         if (colon == std::string::npos) continue;
         const std::string name = one.substr(0, one.substr(0, colon).find(" to "));
-        if (!told.emplace(name, one.substr(colon + 2)).second) twice.insert(name);
+        if (!listed.emplace(name, one.substr(colon + 2)).second) twice.insert(name);
     }
-    for (const std::string& name : twice) told.erase(name);
-    return told;
+    for (const std::string& name : twice) listed.erase(name);
+    return listed;
 }
 
-std::map<std::string, std::string> list_told(AppSession& s, Command command) {
-    s.ask(command);
+std::map<std::string, std::string> list_announced(AppSession& s, Command command) {
+    s.request(command);
     // A long list begins with kinds.
     if (s.app.dialogue().holds(phrase("kinds.everything"), true)) s.line(phrase("kinds.everything"));
-    std::map<std::string, std::string> told;
-    for (const ListItem& item : s.app.dialogue().view().items) told.emplace(item.name, item.value);
+    std::map<std::string, std::string> listed;
+    for (const ListItem& item : s.app.dialogue().view().items) listed.emplace(item.name, item.value);
     while (s.app.dialogue().is_open()) s.app.apply(KeyTapped{"Escape"}, s.now);
     s.listen();
-    return told;
+    return listed;
 }
 
 TEST(OnePlace, of_a_door_is_the_same_in_exits_where_ahead_and_the_find_list) {
     for (const char* world : {"house.map", "school.map"}) {
         int in_list = 0, seen = 0, where = 0;
         in_every_room(world, [&](AppSession& s) {
-            const auto exits = exits_told(s);
-            const auto things = list_told(s, Command::Find);
-            const std::string ahead = s.ask(Command::AheadOfMe), here = s.ask(Command::WhereAmI);
+            const auto exits = exits_announced(s);
+            const auto things = list_announced(s, Command::Find);
+            const std::string ahead = s.request(Command::AheadOfMe), here = s.request(Command::WhereAmI);
             for (const auto& [name, place] : exits) {
                 if (name.find("door") == std::string::npos && name.find("Door") == std::string::npos) continue;
                 if (const auto thing = things.find(name); thing != things.end()) {
@@ -98,10 +98,10 @@ TEST(OnePlace, of_a_thing_in_another_room_has_the_walking_distance_and_says_so) 
     int on_foot = 0, straight = 0;
     in_every_room("house.map", [&](AppSession& s) {
         const Vec3 waist_m = s.app.feet_m() + Vec3(0.0, 0.0, 1.0);
-        for (const auto& [name, value] : list_told(s, Command::Find)) {
-            const bool told = value.find(" on foot") != std::string::npos;
-            ++(told ? on_foot : straight);
-            if (!told) continue;
+        for (const auto& [name, value] : list_announced(s, Command::Find)) {
+            const bool listed = value.find(" on foot") != std::string::npos;
+            ++(listed ? on_foot : straight);
+            if (!listed) continue;
             // The value also contains the room, unless thing and room have the same name. No walking route is shorter
             // than the straight line, apart from rounding to five steps.
             EXPECT_GE(std::count(value.begin(), value.end(), ','), name == "Pond" ? 1 : 2) << name << ": " << value;
@@ -130,18 +130,18 @@ TEST(OnePlace, of_a_room_has_the_distance_of_its_route_and_its_storey_in_the_rou
         int rooms = 0, ways = 0, other_storeys = 0;
         in_every_room(world, [&](AppSession& s) {
             if (++rooms % 6 != 0) return;
-            const auto listed = list_told(s, Command::Routes);
+            const auto listed = list_announced(s, Command::Routes);
             int one = 0;
             for (const auto& [name, value] : listed) {
                 other_storeys += value.find("storey") != std::string::npos ? 1 : 0;
                 if (value.find("step") == std::string::npos || ++one % every_way != 0) continue;
                 s.said.clear();
-                s.ask(Command::Routes);
+                s.request(Command::Routes);
                 s.line(name);
                 const std::string distance = value.substr(0, value.find(','));
                 EXPECT_TRUE(s.heard(distance + " in all") || s.heard("No walking route")) << name << ": " << s.news();
                 ways += s.heard(" in all") ? 1 : 0;
-                s.ask(Command::Routes);
+                s.request(Command::Routes);
                 s.line("stop following");
             }
         });

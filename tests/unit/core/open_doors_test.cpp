@@ -8,7 +8,7 @@
 #include "tests/support/map_text.h"
 #include "tests/support/names.h"
 #include "tests/support/word_walker.h"
-#include "tests/unit/core/way_walker.h"
+#include "tests/unit/core/route_walker.h"
 
 namespace handrail {
 namespace open_doors_test {
@@ -17,7 +17,7 @@ struct HouseWalker : test::AppSession {
     HouseWalker() {
         app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
         run(0.1);
-        ask(Command::Routes);
+        request(Command::Routes);
         for (const ListItem& item : app.dialogue().view().items)
             if (item.name != "Pond" && item.name != "Pond steps" && item.name != "Stairs")
                 // These rooms are left out, because their edges ask a question and nobody stays there.
@@ -36,7 +36,7 @@ struct HouseWalker : test::AppSession {
         app.apply(Placed{feet, std::atan2(-side.x, -side.y)}, now);
         run(0.1);
         said.clear();
-        ask(Command::Use);
+        request(Command::Use);
         run(2.0);
         EXPECT_TRUE(heard("opens")) << app.scene()->features[door.feature.value].name << ": "
                                     << testing::PrintToString(said);
@@ -123,8 +123,8 @@ TEST(OpenDoors, that_are_open_from_the_start_are_avoided_from_the_start) {
     test::AppSession p;
     p.app.apply(WorldEntered{make_ready(std::make_shared<const Scene>(std::move(*scene)))}, 0.0);
     p.run(0.1);
-    p.ask(Command::Exits);  // The answer waits until the routes are known.
-    p.ask(Command::Find);
+    p.request(Command::Exits);  // The answer waits until the routes are known.
+    p.request(Command::Find);
     p.line("Stool");
     p.line("Take me there");
     EXPECT_TRUE(test::walk_along(
@@ -136,7 +136,7 @@ TEST(OpenDoors, that_are_open_from_the_start_are_avoided_from_the_start) {
 TEST(OpenDoors, that_are_shut_again_leave_the_routes_unchanged) {
     HouseWalker p;
     const auto way = [&] {
-        p.ask(Command::Routes);
+        p.request(Command::Routes);
         p.line("Music room");
         return p.app.guide().way_m();
     };
@@ -155,7 +155,7 @@ TEST(OpenDoors, that_are_shut_again_leave_the_routes_unchanged) {
     EXPECT_NE(way(), shut);
     p.app.apply(Placed{before, kPi / 2.0}, p.now);
     p.run(0.1);
-    p.ask(Command::Use);
+    p.request(Command::Use);
     p.run(2.0);
     p.app.apply(Placed{{6.0, 8.0, 2.9}, 0.0}, p.now);
     p.run(0.1);
@@ -205,17 +205,17 @@ TEST(OpenDoors, whose_leaf_leaves_no_room_to_pass_are_announced_and_can_be_shut)
     open_the_closet(p);
     p.app.apply(Placed{{1.5, 2.43, 0.0}, 0.5 * kPi}, p.now);
     p.run(0.2);
-    p.ask(Command::Routes);
+    p.request(Command::Routes);
     p.line("Hall");
     p.run(0.1);  // By now, the route is planned.
-    const std::string leg = p.ask(Command::RepeatLeg);
+    const std::string leg = p.request(Command::RepeatLeg);
     EXPECT_NE(leg.find("Closet is open and in the way. Shut it."), std::string::npos) << leg << " | " << p.news();
     p.walk(5.0);
     EXPECT_LT(p.app.feet_m().x, 4.3) << "the leaf stops one";
     p.said.clear();
     p.tap(Command::Use, 2.0);
     EXPECT_TRUE(p.heard("Closet is shut")) << p.news();
-    EXPECT_EQ(p.ask(Command::RepeatLeg).find("in the way"), std::string::npos) << p.news();
+    EXPECT_EQ(p.request(Command::RepeatLeg).find("in the way"), std::string::npos) << p.news();
 }
 
 // A walker who follows the directions passes the open leaf. If there is room next to the leaf, nothing is announced.
@@ -245,11 +245,11 @@ TEST(OpenDoors, that_stay_open_are_described_as_open) {
     p.app.apply(WorldEntered{make_ready(corridor_with_closet(36, true))}, 0.0);
     p.run(0.1);
     p.app.apply(Placed{{5.2, 4.0, 0.0}, kPi}, p.now);
-    for (const char* told : {"Closet is shut", "Closet opens", "Closet is shut"}) {
+    for (const char* reported : {"Closet is shut", "Closet opens", "Closet is shut"}) {
         p.said.clear();
         p.tap(Command::Use, 4.0);
-        EXPECT_TRUE(p.heard(told)) << told << ": " << p.news();
-        EXPECT_EQ(shut(p.app.world(), 0), std::string(told) == "Closet is shut");
+        EXPECT_TRUE(p.heard(reported)) << reported << ": " << p.news();
+        EXPECT_EQ(shut(p.app.world(), 0), std::string(reported) == "Closet is shut");
     }
 }
 
@@ -297,7 +297,7 @@ TEST(OpenDoors, on_both_sides_of_a_corridor_open_and_shut_without_collision) {
 TEST(OpenDoors, block_their_own_doorway_if_the_route_reaches_the_leaf_first) {
     test::AppSession p;
     open_the_closet(p);
-    const WalkerSize size = body_size(*p.app.scene(), p.app.settings().walk.body_radius_m);
+    const WalkerSize size = walker_size(*p.app.scene(), p.app.settings().walk.body_radius_m);
     const Vec3 doorway_m(5.0, 2.95, 0.0);
     const auto across = leaf_across(p.app.world(), size, std::array{Vec3{3.2, 2.25, 0.0}, doorway_m});
     ASSERT_TRUE(across.has_value());
@@ -316,13 +316,13 @@ TEST(OpenDoors, that_were_shut_on_the_route_are_announced_as_to_be_opened_again)
     p.app.apply(Placed{{5.1, 2.3, 0.0}, 0.0}, p.now);
     p.tap(Command::Use, 2.0);
     ASSERT_TRUE(p.heard("Closet opens"));
-    p.ask(Command::Routes);
+    p.request(Command::Routes);
     p.line("Pantry");
-    const std::string before = p.ask(Command::RepeatLeg);
+    const std::string before = p.request(Command::RepeatLeg);
     EXPECT_EQ(before.find("Open it"), std::string::npos) << before;
     p.tap(Command::Use, 2.0);
     ASSERT_TRUE(p.heard("Closet is shut"));
-    const std::string after = p.ask(Command::RepeatLeg);
+    const std::string after = p.request(Command::RepeatLeg);
     EXPECT_NE(after.find("Open it"), std::string::npos) << before << " | " << after;
 }
 
@@ -333,26 +333,26 @@ TEST(OpenDoors, that_stop_the_body_on_a_leg_are_named_as_the_obstacle) {
     p.app.apply(WorldEntered{make_ready(corridor_with_closet(64))}, 0.0);
     p.run(0.1);
     p.app.apply(Placed{{3.0, 2.0, 0.0}, 0.5 * kPi}, p.now);
-    p.ask(Command::Routes);
+    p.request(Command::Routes);
     p.line("Hall");
     p.run(0.1);
-    const std::string leg = p.ask(Command::RepeatLeg);
+    const std::string leg = p.request(Command::RepeatLeg);
     ASSERT_EQ(leg.find("Closet"), std::string::npos) << leg;
     ASSERT_TRUE(leg.starts_with("Straight on.")) << leg;
     const FeatureId closet = p.app.scene()->movers[0].feature;
     p.app.guide().note_stop(closet);
-    EXPECT_EQ(p.ask(Command::RepeatLeg), "Straight on. 1 step, until you meet Closet, shut. Open it.");
+    EXPECT_EQ(p.request(Command::RepeatLeg), "Straight on. 1 step, until you meet Closet, shut. Open it.");
     p.app.apply(Placed{{5.0, 2.3, 0.0}, 0.0}, p.now);
     p.tap(Command::Use, 2.0);
     ASSERT_TRUE(p.heard("Closet opens"));
     p.app.apply(Placed{{3.0, 2.0, 0.0}, 0.5 * kPi}, p.now);
     p.run(0.2);
     p.app.guide().note_stop(closet);
-    const std::string shut_it = p.ask(Command::RepeatLeg);
+    const std::string shut_it = p.request(Command::RepeatLeg);
     EXPECT_NE(shut_it.find("Closet is open and in the way. Shut it."), std::string::npos) << shut_it;
     // After a door has stopped the walker several times, the session no longer suggests using it.
     for (int i = 0; i < 4; ++i) p.app.guide().note_stop(closet);
-    EXPECT_EQ(p.ask(Command::RepeatLeg).find("Closet is open"), std::string::npos) << p.news();
+    EXPECT_EQ(p.request(Command::RepeatLeg).find("Closet is open"), std::string::npos) << p.news();
 }
 
 }  // namespace open_doors_test

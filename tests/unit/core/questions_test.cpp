@@ -123,13 +123,13 @@ TEST(Questions, mention_no_hidden_thing_and_every_thing_with_a_visible_middle) {
                     if (i != which && crosses(boxes[i], to)) return false;
                 return true;
             };
-            std::set<std::string> told;
-            for (const Sight& sight : in_sight({world, {far, 0, 0}, 0.0}, 100)) told.insert(sight.name);
+            std::set<std::string> reported;
+            for (const Sight& sight : in_sight({world, {far, 0, 0}, 0.0}, 100)) reported.insert(sight.name);
             for (std::size_t i = 0; i < boxes.size(); ++i) {
                 const std::string name = fmt::format("box {}", i);
                 const Vec3 middle = boxes[i].centre_m();
                 if (reached(i, middle)) {
-                    EXPECT_TRUE(told.contains(name)) << name << " round " << round;
+                    EXPECT_TRUE(reported.contains(name)) << name << " round " << round;
                 }
                 bool any = false;
                 for (int x = 0; x <= 12 && !any; ++x)
@@ -137,7 +137,7 @@ TEST(Questions, mention_no_hidden_thing_and_every_thing_with_a_visible_middle) {
                         for (int z = 0; z <= 12 && !any; ++z)
                             any = reached(i, boxes[i].min_m + boxes[i].size_m() * Vec3(x / 12.0, y / 12.0, z / 12.0));
                 if (!any) {
-                    EXPECT_FALSE(told.contains(name)) << name << " round " << round;
+                    EXPECT_FALSE(reported.contains(name)) << name << " round " << round;
                 }
             }
         }
@@ -145,10 +145,10 @@ TEST(Questions, mention_no_hidden_thing_and_every_thing_with_a_visible_middle) {
 
 TEST(Questions, are_answered_in_more_detail_at_higher_verbosity_and_with_a_name_at_every_level) {
     Sight sight{{0.0, 2.8, FeatureId{0}, {}}, "Door", "wood", false};
-    Telling how;
+    DescriptionStyle how;
     const auto at = [&](int verbosity) {
         how.verbosity = verbosity;
-        return tell(sight, "shut, hinged left", how);
+        return describe(sight, "shut, hinged left", how);
     };
     EXPECT_EQ(at(0), "Door");
     EXPECT_EQ(at(1), "Door");
@@ -184,7 +184,7 @@ TEST(LookRound, begins_ahead_turns_in_sixteenths_and_follows_the_hand) {
 }
 
 TEST(ScaleBar, is_five_steps_indoors_and_25_metres_outdoors_with_north) {
-    Telling how;
+    DescriptionStyle how;
     how.heading_rad = kPi / 2.0;
     EXPECT_EQ(
         scale_bar_words(false, how, 60.0, 0.0),
@@ -218,7 +218,7 @@ TEST(SessionQuestions, are_answered_in_the_chosen_vocabulary_and_at_the_chosen_l
     Session app(settings, HandFacts{});
     app.apply(WorldEntered{make_ready(hall().share())}, 0.0);
     double now = 0.0;
-    const auto ask = [&](Command command) {
+    const auto request = [&](Command command) {
         app.take_cues();
         app.apply(CommandDown{command}, now += 1.0);
         app.apply(CommandUp{command}, now);
@@ -228,23 +228,23 @@ TEST(SessionQuestions, are_answered_in_the_chosen_vocabulary_and_at_the_chosen_l
         return said;
     };
     app.tick(0.1, ToolState{});
-    EXPECT_THAT(ask(Command::AheadOfMe), HasSubstr("Bench, 3 steps at 12 o'clock."));
-    EXPECT_THAT(ask(Command::AroundMe), HasSubstr("9 o'clock: Clock, 4 steps."));
-    EXPECT_THAT(ask(Command::LookNext), HasSubstr("At 12 o'clock: Bench"));
-    EXPECT_THAT(ask(Command::LookNext), HasSubstr("At 1 o'clock: Bench, 3 steps; north wall, plaster, 6 steps."));
-    EXPECT_THAT(ask(Command::Coordinates), HasSubstr("4 east, 4 north, height 0 metres"));
-    EXPECT_THAT(ask(Command::ScaleBar), HasSubstr("25 metres"));
+    EXPECT_THAT(request(Command::AheadOfMe), HasSubstr("Bench, 3 steps at 12 o'clock."));
+    EXPECT_THAT(request(Command::AroundMe), HasSubstr("9 o'clock: Clock, 4 steps."));
+    EXPECT_THAT(request(Command::LookNext), HasSubstr("At 12 o'clock: Bench"));
+    EXPECT_THAT(request(Command::LookNext), HasSubstr("At 1 o'clock: Bench, 3 steps; north wall, plaster, 6 steps."));
+    EXPECT_THAT(request(Command::Coordinates), HasSubstr("4 east, 4 north, height 0 metres"));
+    EXPECT_THAT(request(Command::ScaleBar), HasSubstr("25 metres"));
     settings.speech.verbosity = 1;
     settings.speech.directions = DirectionChoice::Compass;
     app.apply(SettingsChanged{settings}, now);
-    EXPECT_EQ(ask(Command::AroundMe), "North: Bench. East: Cupboard. South: Screen. West: Clock.");
+    EXPECT_EQ(request(Command::AroundMe), "North: Bench. East: Cupboard. South: Screen. West: Clock.");
     settings.speech.verbosity = 4;
     app.apply(SettingsChanged{settings}, now);
-    EXPECT_THAT(ask(Command::AheadOfMe), HasSubstr("Bench: it is 3 steps north. It is made of wood."));
+    EXPECT_THAT(request(Command::AheadOfMe), HasSubstr("Bench: it is 3 steps north. It is made of wood."));
     settings.speech.distances_in_steps = false;
     app.apply(SettingsChanged{settings}, now);
-    EXPECT_THAT(ask(Command::AheadOfMe), HasSubstr("2 metres north"));
-    EXPECT_THAT(ask(Command::WhereAmI), Not(HasSubstr("steps")));
+    EXPECT_THAT(request(Command::AheadOfMe), HasSubstr("2 metres north"));
+    EXPECT_THAT(request(Command::WhereAmI), Not(HasSubstr("steps")));
 }
 
 }  // namespace questions_test

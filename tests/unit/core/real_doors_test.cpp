@@ -8,11 +8,11 @@
 #include <string_view>
 
 #include "app/core/world/walker.h"
+#include "tests/support/direction_through.h"
 #include "tests/support/known_buildings.h"
 #include "tests/support/names.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
-#include "tests/support/way_through.h"
 #include "tests/unit/ifc/ifc_hut.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/honest_report.h"
@@ -42,7 +42,7 @@ TEST(RealDoors, can_be_walked_through_in_both_directions_in_a_session) {
         std::erase_if(open->solids, [](const Solid& solid) { return solid.role == SolidRole::Mover; });
         open->movers.clear();
         const WalkerWorld world(open);
-        const WalkerSize size = body_size(*open, 0.25);
+        const WalkerSize size = walker_size(*open, 0.25);
         const std::vector<test::DoorToPass> doors = test::doors_to_pass(*scene);
         int held = 0;
         std::string names;
@@ -73,14 +73,14 @@ DoorsWalked walk_all(const Scene& scene) {
     std::erase_if(open->solids, [](const Solid& solid) { return solid.role == SolidRole::Mover; });
     open->movers.clear();
     const WalkerWorld world(open);
-    const WalkerSize size = body_size(*open, 0.25);
+    const WalkerSize size = walker_size(*open, 0.25);
     DoorsWalked walked;
     for (const StatedPortal& portal : scene.stated->portals) {
         if (portal.kind != StatedPortalKind::Door) continue;
         ++walked.doors;
         walked.reported += portal.passable ? 0 : 1;
         if (!portal.passable) continue;
-        const std::optional<Vec3> way = test::way_through(scene, portal.feature);
+        const std::optional<Vec3> way = test::direction_through(scene, portal.feature);
         if (!way || !walks(world, size, portal.place_m, *way) || !walks(world, size, portal.place_m, -*way))
             walked.held += " " + portal.name + "/" + std::to_string(portal.source.line);
     }

@@ -7,7 +7,7 @@
 
 #include "tests/support/names.h"
 #include "tests/unit/core/app_session.h"
-#include "tests/unit/core/way_walker.h"
+#include "tests/unit/core/route_walker.h"
 #include "tests/unit/ifc/ifc_hut.h"
 
 namespace handrail {

@@ -11,7 +11,7 @@
 #include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
-#include "worlds/stored/stored_ways.h"
+#include "worlds/stored/stored_navigation.h"
 
 namespace handrail {
 namespace rooms_session_test {
@@ -19,7 +19,8 @@ namespace rooms_session_test {
 std::shared_ptr<const Scene> house() { return test::our_world("house.map"); }
 
 struct Visitor : test::AppSession {
-    explicit Visitor(bool beside = false) : AppSession({}, {}, {.executor = beside ? on_threads() : at_once()}) {}
+    explicit Visitor(bool background = false)
+        : AppSession({}, {}, {.executor = background ? on_threads() : at_once()}) {}
 };
 
 TEST(RoomsInASession, without_a_walkable_route_are_announced_on_entering_the_world) {
@@ -42,7 +43,7 @@ TEST(RoomsInASession, without_a_walkable_route_are_announced_on_entering_the_wor
                         world(open ? box_brush(144, 400, 70, 176, 410, 128) : box_brush(144, 400, 0, 176, 410, 128)))},
                     0.0);
         s.run(0.1);
-        s.ask(Command::Exits);
+        s.request(Command::Exits);
         s.run(0.1);
         EXPECT_EQ(s.heard("Vault cannot be reached on foot."), !open);
     }
@@ -52,9 +53,9 @@ TEST(RoomsInASession, are_described_by_name_and_exits_clockwise) {
     Visitor s;
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     s.run(0.1);
-    EXPECT_TRUE(s.ask(Command::WhereAmI).starts_with("Hall, at the base, by the door, facing north. "))
+    EXPECT_TRUE(s.request(Command::WhereAmI).starts_with("Hall, at the base, by the door, facing north. "))
         << s.said.back();
-    const std::string exits = s.ask(Command::Exits);
+    const std::string exits = s.request(Command::Exits);
     EXPECT_TRUE(exits.starts_with("Hall. ")) << exits;
     // At the front door, facing north: the exit ahead comes first, then east, south, west.
     const auto at = [&](const std::string& part) {
@@ -66,23 +67,24 @@ TEST(RoomsInASession, are_described_by_name_and_exits_clockwise) {
     EXPECT_LT(at("Study door to Study"), at("Front door to Garden"));
     EXPECT_LT(at("Front door to Garden"), at("Living room door to Living room"));
     at("Stairs");
-    EXPECT_TRUE(s.ask(Command::UnvisitedExits).find("exits you have not taken") != std::string::npos) << s.said.back();
+    EXPECT_TRUE(s.request(Command::UnvisitedExits).find("exits you have not taken") != std::string::npos)
+        << s.said.back();
 }
 
 TEST(RoomsInASession, are_announced_on_entering_unless_that_is_switched_off) {
-    for (const bool told : {true, false}) {
+    for (const bool reported : {true, false}) {
         Settings settings;
-        settings.speech.rooms = told;
+        settings.speech.rooms = reported;
         Visitor s;
         s.app.apply(WorldEntered{make_ready(house())}, 0.0);
         s.app.apply(SettingsChanged{settings}, 0.0);
         s.run(0.1);
-        s.ask(Command::Exits);
+        s.request(Command::Exits);
         s.said.clear();
         s.app.apply(Placed{{9.5, 3.0, 0.0}, 0.0}, s.now);
         s.run(0.2);
-        EXPECT_EQ(std::count(s.said.begin(), s.said.end(), "Study"), told ? 1 : 0);
-        EXPECT_TRUE(s.ask(Command::WhereAmI).starts_with("Study, facing north. "));
+        EXPECT_EQ(std::count(s.said.begin(), s.said.end(), "Study"), reported ? 1 : 0);
+        EXPECT_TRUE(s.request(Command::WhereAmI).starts_with("Study, facing north. "));
     }
 }
 
@@ -90,19 +92,19 @@ TEST(RoomsInASession, give_directions_to_another_room_and_along_the_route) {
     Visitor s;
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     s.run(0.1);
-    s.ask(Command::Routes);
+    s.request(Command::Routes);
     EXPECT_TRUE(s.said.back().starts_with("Route to which room")) << s.said.back();
     ASSERT_TRUE(s.app.apply(LineTyped{"Music room"}, s.now));
     s.run(0.1);
-    const auto told = std::find_if(s.said.begin(), s.said.end(),
-                                   [](const std::string& one) { return one.starts_with("To Music room. "); });
-    ASSERT_NE(told, s.said.end()) << s.news();
-    const std::string words = *told;
+    const auto reported = std::find_if(s.said.begin(), s.said.end(),
+                                       [](const std::string& one) { return one.starts_with("To Music room. "); });
+    ASSERT_NE(reported, s.said.end()) << s.news();
+    const std::string words = *reported;
     EXPECT_NE(words.find("steps in all, through Stairs, Landing."), std::string::npos) << words;
-    const std::string rest = s.ask(Command::RestOfWay);
+    const std::string rest = s.request(Command::RestOfRoute);
     EXPECT_NE(rest.find(" stairs up, "), std::string::npos) << rest;
     EXPECT_NE(rest.find("Music room door, shut. Open it. "), std::string::npos) << rest;
-    EXPECT_TRUE(rest.starts_with(s.ask(Command::RepeatLeg))) << "the first of them is the one that one is on";
+    EXPECT_TRUE(rest.starts_with(s.request(Command::RepeatLeg))) << "the first of them is the one that one is on";
     // The walker is placed at points along the route, and hears every feature and the arrival.
     s.said.clear();
     for (const Vec3& place : {Vec3(6.3, 2.0, 0.0), Vec3(5.3, 2.7, 0.0)}) {
@@ -115,7 +117,7 @@ TEST(RoomsInASession, give_directions_to_another_room_and_along_the_route) {
     s.run(0.3);
     EXPECT_TRUE(s.heard("You have left the route."));
     EXPECT_TRUE(s.heard("To Music room. "));
-    s.ask(Command::Routes);
+    s.request(Command::Routes);
     ASSERT_TRUE(s.app.apply(LineTyped{"Stop following the route"}, s.now));
     s.listen();
     EXPECT_EQ(s.said.back(), "You are no longer following a route.");
@@ -162,7 +164,7 @@ TEST(RoomsInASession, are_plainly_reported_as_unreachable_if_no_route_exists) {
     Visitor s;
     s.app.apply(WorldEntered{make_ready(std::make_shared<const Scene>(std::move(*scene)))}, 0.0);
     s.run(0.1);
-    s.ask(Command::Routes);
+    s.request(Command::Routes);
     ASSERT_TRUE(s.app.apply(LineTyped{"Balcony"}, s.now));
     s.run(0.1);
     s.listen();
@@ -177,7 +179,7 @@ TEST(RoomsInASession, are_found_in_the_background_while_the_session_continues) {
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     EXPECT_TRUE(test::eventually([&] {
         s.run(0.1);
-        return !s.ask(Command::Exits).starts_with("The rooms of this world are still");
+        return !s.request(Command::Exits).starts_with("The rooms of this world are still");
     }));
     EXPECT_TRUE(s.said.back().starts_with("Hall. ")) << s.said.back();
 }
@@ -193,7 +195,7 @@ struct LateRooms {
     SessionOptions options() {
         return {.executor = on_threads(), .records_in = {}, .languages_in = {}, .bodies = {}, .arrivals = &arrivals};
     }
-    int told(const std::string& words) const {
+    int reported(const std::string& words) const {
         return static_cast<int>(std::count(session.said.begin(), session.said.end(), words));
     }
     Arrivals arrivals;
@@ -205,32 +207,32 @@ struct LateRooms {
 TEST(RoomsInASession, that_take_long_to_find_are_announced_once_at_the_start_and_once_at_the_end) {
     LateRooms late(2000);
     late.session.run(1.9);
-    EXPECT_EQ(late.told(late.waited_for), 0);
+    EXPECT_EQ(late.reported(late.waited_for), 0);
     late.session.run(0.2);
-    EXPECT_EQ(late.told(late.waited_for), 1);
-    EXPECT_EQ(late.told(late.there), 0);
-    for (int i = 0; i < 600 && late.told(late.there) == 0; ++i) late.session.run(0.1);
-    EXPECT_EQ(late.told(late.there), 1);
+    EXPECT_EQ(late.reported(late.waited_for), 1);
+    EXPECT_EQ(late.reported(late.there), 0);
+    for (int i = 0; i < 600 && late.reported(late.there) == 0; ++i) late.session.run(0.1);
+    EXPECT_EQ(late.reported(late.there), 1);
     late.session.run(20.0);
-    EXPECT_EQ(late.told(late.waited_for), 1) << "once";
-    EXPECT_EQ(late.told(late.there), 1) << "once";
+    EXPECT_EQ(late.reported(late.waited_for), 1) << "once";
+    EXPECT_EQ(late.reported(late.there), 1) << "once";
 }
 
 TEST(RoomsInASession, that_are_found_within_two_seconds_are_not_announced) {
     LateRooms soon(20);
     soon.session.run(20.0);
-    EXPECT_EQ(soon.told(soon.waited_for), 0);
-    EXPECT_EQ(soon.told(soon.there), 0);
-    EXPECT_TRUE(soon.session.ask(Command::Exits).starts_with("Hall. ")) << soon.session.said.back();
+    EXPECT_EQ(soon.reported(soon.waited_for), 0);
+    EXPECT_EQ(soon.reported(soon.there), 0);
+    EXPECT_TRUE(soon.session.request(Command::Exits).starts_with("Hall. ")) << soon.session.said.back();
 }
 
 TEST(RoomsInASession, are_drawn_on_the_plan_under_their_current_names_and_cost_nothing_without_the_plan) {
     Visitor s;
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
-    s.ask(Command::Exits);
+    s.request(Command::Exits);
     s.run(0.1);
     EXPECT_FALSE(s.app.view({}, "").rooms);
-    s.ask(Command::PlanView);
+    s.request(Command::PlanView);
     s.run(0.1);
     const ViewState plan = s.app.view({}, "");
     ASSERT_TRUE(plan.rooms);
@@ -239,19 +241,19 @@ TEST(RoomsInASession, are_drawn_on_the_plan_under_their_current_names_and_cost_n
     EXPECT_FALSE((*plan.rooms)[plan.room].outline.loops_m.empty());
     s.run(0.5);
     EXPECT_EQ(s.app.view({}, "").rooms, plan.rooms) << "made once";
-    s.ask(Command::NameRoom);
+    s.request(Command::NameRoom);
     s.app.apply(LineTyped{"Vestibule"}, s.now);
     s.run(0.1);
     EXPECT_EQ((*s.app.view({}, "").rooms)[plan.room].name, "Vestibule");
-    s.ask(Command::PlanView);
+    s.request(Command::PlanView);
     s.run(0.1);
     EXPECT_FALSE(s.app.view({}, "").rooms);
 }
 
 TEST(RoomsKept, equal_newly_found_rooms_and_belong_to_their_session) {
     const auto world = house(), same_again = std::make_shared<const Scene>(*world);
-    const WalkerSize size = body_size(*world, 0.25);
-    const WalkerMeasures body = walk_body(*world, size.radius_m, size.height_m, size.step_up_m);
+    const WalkerSize size = walker_size(*world, 0.25);
+    const WalkerMeasures body = walker_measures(*world, size.radius_m, size.height_m, size.step_up_m);
     RoomsKept kept;
     ASSERT_EQ(kept.of(world, body), nullptr);
     RoomsOfWorld anew(world, body, at_once(), {}, &kept);
@@ -273,7 +275,7 @@ TEST(RoomsKept, equal_newly_found_rooms_and_belong_to_their_session) {
         }
     // There is no result for another scene, another size of the walker or another language.
     EXPECT_EQ(kept.of(same_again, body), nullptr);
-    EXPECT_EQ(kept.of(world, walk_body(*world, size.radius_m + 0.01, size.height_m, size.step_up_m)), nullptr);
+    EXPECT_EQ(kept.of(world, walker_measures(*world, size.radius_m + 0.01, size.height_m, size.step_up_m)), nullptr);
     const test::InLanguage german("de");
     EXPECT_EQ(kept.of(world, body), nullptr);
     RoomsOfWorld in_german(world, body, at_once(), {}, &kept);
@@ -283,11 +285,12 @@ TEST(RoomsKept, equal_newly_found_rooms_and_belong_to_their_session) {
 
 TEST(RoomsOfAWorld, are_taken_from_the_cache_unchanged) {
     std::map<std::string, std::string> cache;
-    const RoutesKeeper keeper{[&](const std::string& key, const std::stop_token&) { return unpacked_ways(cache[key]); },
-                              [&](const std::string& key, std::string_view packed) { cache[key] = packed; }};
+    const RoutesKeeper keeper{
+        [&](const std::string& key, const std::stop_token&) { return unpacked_navigation(cache[key]); },
+        [&](const std::string& key, std::string_view packed) { cache[key] = packed; }};
     const auto scene = house();
-    const WalkerMeasures body = walk_body(*scene, 0.25, 1.8, 0.25);
-    const std::string key = ways_key(*scene, body);
+    const WalkerMeasures body = walker_measures(*scene, 0.25, 1.8, 0.25);
+    const std::string key = navigation_key(*scene, body);
     struct Known {
         bool kept = false;
         std::string ways;
@@ -301,7 +304,7 @@ TEST(RoomsOfAWorld, are_taken_from_the_cache_unchanged) {
         EXPECT_TRUE(rooms.found());
         if (!rooms.found()) return known;
         known.kept = rooms.kept();
-        known.ways = stored_ways(rooms.navigation().space(), rooms.graph());
+        known.ways = stored_navigation(rooms.navigation().space(), rooms.graph());
         known.way_m = rooms.navigation().plan(scene->starts[0].feet_m, rooms.graph().rooms.back().middle_m).points_m;
         known.out_of_reach = rooms.out_of_reach();
         return known;

@@ -105,8 +105,8 @@ TEST(Failures, each_kind_of_expectation_passes_when_met_and_otherwise_fails_with
     fails(Check::SlideRatio, [](Expectation& e) {
         e.low = 0, e.high = 0.1, e.vector = {0, 1, 0}, e.from.offset_s = 0.6;
     });
-    holds(Check::ToldApart, [](Expectation&) {});
-    fails(Check::NotToldApart, [](Expectation& e) { e.text = "wood and rubber"; });
+    holds(Check::Distinct, [](Expectation&) {});
+    fails(Check::NotDistinct, [](Expectation& e) { e.text = "wood and rubber"; });
     holds(Check::HipAt, [](Expectation& e) { e.vector = {0, 0.9, 1}, e.tolerance = 1e-6; });
     fails(Check::ProxyAt, [](Expectation& e) { e.vector = {0, 0.8, 1}, e.tolerance = 1e-6, e.always = false; });
     fails(Check::BodyAt, [](Expectation& e) { e.vector = {0, 1, 1}, e.tolerance = 0.1; });

@@ -78,13 +78,13 @@ TEST(Session, warns_once_on_entering_if_many_materials_are_close_together_unless
             settings.speech.crowding_hint = hint;
             Session app(settings, SessionAlone::facts(false));
             app.apply(WorldEntered{make_ready(std::make_shared<Scene>(scene))}, 0.0);
-            int told = 0;
+            int reported = 0;
             for (double now = 0.0; now < 1.0; now += 0.1) {
                 app.tick(now, ToolState{});
                 for (const CueRequest& cue : app.take_cues())
-                    told += cue.text.find("6 materials are close together") != std::string::npos;
+                    reported += cue.text.find("6 materials are close together") != std::string::npos;
             }
-            EXPECT_EQ(told, hint && scene.triangles.size() == 6 ? 1 : 0);
+            EXPECT_EQ(reported, hint && scene.triangles.size() == 6 ? 1 : 0);
         }
     }
 }
@@ -401,7 +401,7 @@ TEST(Session, what_is_this_gives_the_name_and_when_repeated_the_size) {
     EXPECT_THAT(s.said().back(), testing::HasSubstr("1 by 0.5 metres"));
 }
 
-TEST(Session, the_ball_is_four_percent_as_wide_as_a_six_metre_room_and_never_too_big_for_a_door) {
+TEST(Session, the_proxy_is_four_percent_as_wide_as_a_six_metre_room_and_never_too_big_for_a_door) {
     SessionAlone s(true);
     EXPECT_NEAR(s.app.hand().tuning.touch.radius_m, 0.12, 1e-12);
     SceneBuilder b;

@@ -33,7 +33,7 @@ struct Door : test::AppSession {
     Door() : AppSession(Settings{}, hand()) {
         app.apply(WorldEntered{make_ready(room())}, now);
         run(0.1);
-        ask(Command::ScaleDetail);
+        request(Command::ScaleDetail);
     }
     static HandFacts hand() {
         HandFacts facts;
@@ -51,7 +51,7 @@ struct Door : test::AppSession {
     std::size_t open_list_of(std::string_view key) {
         const auto topics = setting_topics();
         const std::string_view topic = key.substr(0, key.find('.'));
-        ask(Command::Menu);
+        request(Command::Menu);
         line(phrase("menu.settings"));
         act(ItemAct::Kind::Choose,
             static_cast<std::size_t>(std::find(topics.begin(), topics.end(), topic) - topics.begin()));
@@ -173,11 +173,12 @@ TEST_F(SettingDoors, by_command_have_the_same_effect_as_in_the_list) {
         {Command::VerbosityCycle, {"speech.verbosity", "3"}},
     };
     for (const auto& [command, change] : commands)
-        EXPECT_EQ(changed_by([command = command](Door& door) { door.ask(command); }), set(change.first, change.second))
+        EXPECT_EQ(changed_by([command = command](Door& door) { door.request(command); }),
+                  set(change.first, change.second))
             << change.first;
     std::string turned;
     const auto by_key = changed_by([&](Door& door) {
-        door.ask(Command::WorkspaceTurnRight);
+        door.request(Command::WorkspaceTurnRight);
         turned = setting_text(door.app.settings(), "workspace.turn_deg").value_or("?");
     });
     EXPECT_EQ(by_key, set("workspace.turn_deg", turned));

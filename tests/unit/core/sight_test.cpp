@@ -23,7 +23,7 @@ std::vector<Seen> plainly_in_sight(const WalkerWorld& world, const Vec3& feet_m,
     const auto level_m = [&](const Vec3& point) { return std::hypot(point.x - eye.x, point.y - eye.y); };
     std::vector<std::pair<double, std::uint32_t>> candidates;
     for (std::uint32_t i = 0; i < scene.features.size(); ++i) {
-        if (!told_when_seen(scene.features[i])) continue;
+        if (!named_when_seen(scene.features[i])) continue;
         const Aabb& box = scene.features[i].bounds_m;
         const double nearest_m = level_m(glm::clamp(eye, box.min_m, box.max_m));
         if (nearest_m <= kSightRange_m) candidates.emplace_back(nearest_m, i);

@@ -305,39 +305,39 @@ bool any_rounded(const HapticScene& scene) {
 // Entering a world does not wait for them.
 TEST(Simplified, view_is_bit_identical_with_and_without_threads) {
     const auto house = test::our_world("house.map");
-    Session beside({}, Explorer::facts("sim-t"), {.executor = on_threads()}), at_once({}, Explorer::facts("sim-t"));
+    Session background({}, Explorer::facts("sim-t"), {.executor = on_threads()}), at_once({}, Explorer::facts("sim-t"));
     double now = 0.0, now_at_once = 0.0;
-    beside.apply(WorldEntered{make_ready_to_touch(house)}, 0.0);
+    background.apply(WorldEntered{make_ready_to_touch(house)}, 0.0);
     at_once.apply(WorldEntered{make_ready(house)}, 0.0);
-    EXPECT_FALSE(any_rounded(*beside.haptic_scene())) << "sharp at first";
-    EXPECT_TRUE(beside.works_in_background());
+    EXPECT_FALSE(any_rounded(*background.haptic_scene())) << "sharp at first";
+    EXPECT_TRUE(background.works_in_background());
     std::mt19937 random(test::seed_of_run());
     std::uniform_real_distribution<double> part(0.0, 1.0);
     const auto compare = [&](const std::string& when) {
         SCOPED_TRACE(when);
-        EXPECT_EQ(beside.haptic_scene()->obstacle_counts(), at_once.haptic_scene()->obstacle_counts());
-        EXPECT_EQ(any_rounded(*beside.haptic_scene()), any_rounded(*at_once.haptic_scene()));
-        EXPECT_EQ(beside.hand().tuning.touch.radius_m, at_once.hand().tuning.touch.radius_m);
-        ASSERT_EQ(beside.bodies().poses().size(), at_once.bodies().poses().size());
-        EXPECT_EQ(beside.bodies().scene(), beside.haptic_scene()->generation);
-        for (std::size_t i = 0; i < beside.bodies().poses().size(); ++i)
-            EXPECT_EQ(beside.bodies().poses()[i].at.position_m, at_once.bodies().poses()[i].at.position_m) << i;
+        EXPECT_EQ(background.haptic_scene()->obstacle_counts(), at_once.haptic_scene()->obstacle_counts());
+        EXPECT_EQ(any_rounded(*background.haptic_scene()), any_rounded(*at_once.haptic_scene()));
+        EXPECT_EQ(background.hand().tuning.touch.radius_m, at_once.hand().tuning.touch.radius_m);
+        ASSERT_EQ(background.bodies().poses().size(), at_once.bodies().poses().size());
+        EXPECT_EQ(background.bodies().scene(), background.haptic_scene()->generation);
+        for (std::size_t i = 0; i < background.bodies().poses().size(); ++i)
+            EXPECT_EQ(background.bodies().poses()[i].at.position_m, at_once.bodies().poses()[i].at.position_m) << i;
         for (int i = 0; i < 300; ++i) {
             const Vec3 at =
                 house->bounds_m.min_m + house->bounds_m.size_m() * Vec3(part(random), part(random), part(random));
-            EXPECT_EQ(room_round(beside, at), room_round(at_once, at)) << "seed " << test::seed_of_run();
+            EXPECT_EQ(room_round(background, at), room_round(at_once, at)) << "seed " << test::seed_of_run();
         }
     };
-    wait_for_touch(beside, now);
+    wait_for_touch(background, now);
     wait_for_touch(at_once, now_at_once);
     EXPECT_TRUE(any_rounded(*at_once.haptic_scene()));
     compare("entered");
     for (const Command scale : kScales) {
-        const std::uint64_t felt = beside.haptic_scene()->generation;
-        beside.apply(CommandDown{scale}, now);
-        beside.apply(CommandUp{scale}, now);
-        EXPECT_EQ(beside.haptic_scene()->generation, felt) << "what there was, until the new is there";
-        const std::string said = wait_for_touch(beside, now);
+        const std::uint64_t felt = background.haptic_scene()->generation;
+        background.apply(CommandDown{scale}, now);
+        background.apply(CommandUp{scale}, now);
+        EXPECT_EQ(background.haptic_scene()->generation, felt) << "what there was, until the new is there";
+        const std::string said = wait_for_touch(background, now);
         at_once.apply(CommandDown{scale}, now);
         at_once.apply(CommandUp{scale}, now);
         wait_for_touch(at_once, now_at_once);
@@ -348,10 +348,10 @@ TEST(Simplified, view_is_bit_identical_with_and_without_threads) {
     }
     // Of many changes, only the last one is rendered. A session that ends does not wait for any of them.
     for (int i = 0; i < 12; ++i) {
-        beside.apply(CommandDown{kScales[static_cast<std::size_t>(i) % 4]}, now);
-        beside.apply(CommandUp{kScales[static_cast<std::size_t>(i) % 4]}, now);
+        background.apply(CommandDown{kScales[static_cast<std::size_t>(i) % 4]}, now);
+        background.apply(CommandUp{kScales[static_cast<std::size_t>(i) % 4]}, now);
     }
-    wait_for_touch(beside, now);
+    wait_for_touch(background, now);
     compare("after many changes");
 }
 
@@ -404,7 +404,7 @@ TEST(Simplified, view_stops_a_fast_hand_at_a_wall_of_a_fifth_of_a_millimetre) {
         ASSERT_NEAR(p.tool().proxy_m.x, 4.5, 0.01) << device;
         for (const double speed_m_per_s : {0.05, 0.5, 2.0}) {
             p.hold(there({9.0, 3.0, 1.0}), speed_m_per_s);
-            EXPECT_LT(p.tool().proxy_m.x, 6.0 - 0.9 * p.tool().ball_radius_m) << device << " at " << speed_m_per_s;
+            EXPECT_LT(p.tool().proxy_m.x, 6.0 - 0.9 * p.tool().proxy_radius_m) << device << " at " << speed_m_per_s;
             p.hold(there({4.5, 3.0, 1.0}), speed_m_per_s);
         }
     }
@@ -422,9 +422,10 @@ bool feels_liquid(const Scene& scene, const Vec3& hip_m, double world_m_per_hand
 // walls and doorways. The only exception is the current of a pond nearby, because the pond is felt larger or smaller
 // after the change.
 void changes_under_the_hand(const std::shared_ptr<const Scene>& world, const char* device, int rounds) {
-    const WalkerSize size = body_size(*world, Settings{}.walk.body_radius_m);
+    const WalkerSize size = walker_size(*world, Settings{}.walk.body_radius_m);
     const std::vector<Room> rooms =
-        make_rooms(*world, *make_walk_space(*world, walk_body(*world, size.radius_m, size.height_m, size.step_up_m)))
+        make_rooms(*world,
+                   *make_walk_space(*world, walker_measures(*world, size.radius_m, size.height_m, size.step_up_m)))
             .rooms;
     std::mt19937 random(test::seed_of_run());
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -466,7 +467,7 @@ TEST(Simplified, view_changes_under_the_hand_without_a_jolt_or_leaving_it_in_a_w
 // Scenario 17: the first level of an architect's house. Each scale is announced with its name and its true width.
 // Openings too narrow to feel are widened, and that is announced. The proxy passes through every door. After the return
 // to the first scale, everything is as before.
-void tells_the_truth_of_each_scale(const std::shared_ptr<const Scene>& world) {
+void announces_each_scale_truthfully(const std::shared_ptr<const Scene>& world) {
     {
         Explorer p(world, "sim-t");
         const double hand_m = 2.0 * find_device_spec("sim-t")->workspace_radius_m;
@@ -474,16 +475,16 @@ void tells_the_truth_of_each_scale(const std::shared_ptr<const Scene>& world) {
             const std::size_t from = p.lines();
             p.tap(scale, 0.3);
             const double per_hand_m = p.app().hand().tuning.touch.world_m_per_hand_m;
-            const std::string told = p.all_heard(from);
-            const std::size_t width = told.find(name + ", ");
-            if (width == std::string::npos) ADD_FAILURE() << name << ": " << told;
+            const std::string reported = p.all_heard(from);
+            const std::size_t width = reported.find(name + ", ");
+            if (width == std::string::npos) ADD_FAILURE() << name << ": " << reported;
             else
-                EXPECT_NEAR(std::stod(told.substr(width + name.size() + 2)), per_hand_m * hand_m,
+                EXPECT_NEAR(std::stod(reported.substr(width + name.size() + 2)), per_hand_m * hand_m,
                             0.06 * per_hand_m * hand_m);
             SimplifyOptions options;
             options.world_m_per_hand_m = per_hand_m;
             const Simplification plan = plan_simplification(*p.app().scene(), options);
-            const double ball_m = 2.0 * p.app().hand().tuning.touch.radius_m;
+            const double proxy_diameter_m = 2.0 * p.app().hand().tuning.touch.radius_m;
             std::size_t doors = 0;
             for (std::uint32_t i = 0; i < p.app().scene()->features.size(); ++i) {
                 const Feature& door = p.app().scene()->features[i];
@@ -492,10 +493,10 @@ void tells_the_truth_of_each_scale(const std::shared_ptr<const Scene>& world) {
                 const NarrowOpening* const widened = plan.of_door(FeatureId{i});
                 const double width_m =
                     widened ? widened->felt_width_m() : std::max(door.bounds_m.size_m().x, door.bounds_m.size_m().y);
-                EXPECT_LT(ball_m, width_m) << name << ": " << door.name;
+                EXPECT_LT(proxy_diameter_m, width_m) << name << ": " << door.name;
             }
             EXPECT_GE(doors, 14U);
-            return told;
+            return reported;
         };
         const std::string building = at_scale(Command::ScaleBuilding, "Building");
         EXPECT_THAT(building, HasSubstr("Simplified: "));
@@ -511,13 +512,13 @@ void tells_the_truth_of_each_scale(const std::shared_ptr<const Scene>& world) {
 
 TEST(Simplified, view_reports_each_scale_of_a_generated_office_truthfully_and_changes_imperceptibly) {
     const test::TemporaryFolder folder;
-    tells_the_truth_of_each_scale(test::world_in(folder.write("office.ifc", test::office_ifc({2, 1, 4, 24}).text)));
+    announces_each_scale_truthfully(test::world_in(folder.write("office.ifc", test::office_ifc({2, 1, 4, 24}).text)));
 }
 
 TEST(Simplified, view_reports_each_scale_of_an_architects_house_truthfully_and_changes_imperceptibly) {
     const auto path = test::real_world("duplex-apartment.ifc");
     if (!path) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
-    tells_the_truth_of_each_scale(test::world_once(*path));
+    announces_each_scale_truthfully(test::world_once(*path));
 }
 
 // Both hands are still, at any place in their workspaces. After a change of scale, each proxy is outside all solids,
@@ -561,14 +562,14 @@ TEST(Simplified, view_moves_both_hands_out_of_walls_in_their_common_workspace) {
 
 // The proxy has at most a third of the width of the narrowest doorway as it is felt. So the proxy of each scale passes
 // through all doorways.
-TEST(Simplified, doorways_let_the_ball_through_at_each_scale) {
+TEST(Simplified, doorways_let_the_proxy_through_at_each_scale) {
     for (const char* device : {"sim-t", "sim-f"})
         for (const char* file : {"house.map", "school.map"}) {
             if (!test::tried(device == std::string("sim-t") ? 0 : 1, 2)) continue;
             Explorer p(test::our_world(file), device);
             for (const Command scale : kScales) {
                 p.tap(scale, 0.1);
-                const double ball_m = 2.0 * p.app().hand().tuning.touch.radius_m;
+                const double proxy_diameter_m = 2.0 * p.app().hand().tuning.touch.radius_m;
                 SimplifyOptions options;
                 options.world_m_per_hand_m = p.app().hand().tuning.touch.world_m_per_hand_m;
                 const Simplification plan = plan_simplification(*p.app().scene(), options);
@@ -578,7 +579,7 @@ TEST(Simplified, doorways_let_the_ball_through_at_each_scale) {
                     const NarrowOpening* widened = plan.of_door(FeatureId{i});
                     const double width_m = widened ? widened->felt_width_m()
                                                    : std::max(door.bounds_m.size_m().x, door.bounds_m.size_m().y);
-                    EXPECT_LE(ball_m, width_m / 3.0 + 1e-9) << file << " " << door.name;
+                    EXPECT_LE(proxy_diameter_m, width_m / 3.0 + 1e-9) << file << " " << door.name;
                 }
             }
         }

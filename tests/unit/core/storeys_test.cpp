@@ -21,19 +21,19 @@ struct Visitor : AppSession {
     explicit Visitor(std::shared_ptr<const Scene> scene) {
         app.apply(WorldEntered{make_ready(std::move(scene))}, 0.0);
         run(0.1);
-        ask(Command::Exits);
+        request(Command::Exits);
         run(0.1);
     }
     std::vector<ListItem> storeys() {
-        ask(Command::Storeys);
+        request(Command::Storeys);
         return app.dialogue().view().items;
     }
     // Returns the middle of the first room that is at least this high above the ground.
     Vec3 room_above(double least_m) {
-        ask(Command::PlanView);
+        request(Command::PlanView);
         run(0.1);
         const auto rooms = app.view({}, {}).rooms;
-        ask(Command::PlanView);
+        request(Command::PlanView);
         for (const DrawnRoom& room : *rooms)
             if (room.middle_m.z > least_m && room.area_m2 > 6.0) return room.middle_m;
         ADD_FAILURE() << "no room above " << least_m;
@@ -52,7 +52,7 @@ TEST(Storeys, of_the_house_are_listed_from_below_with_their_rooms_and_the_curren
     EXPECT_EQ(s.app.dialogue().view().at, 0U) << "the list begins at one's own";
     // The numbers are the same as in the description of the whole building.
     s.app.apply(KeyTapped{"Escape"}, s.now);
-    const std::string whole = s.ask(Command::Overview);
+    const std::string whole = s.request(Command::Overview);
     const std::string upper = storeys[1].value, lower = storeys[0].value.substr(0, storeys[0].value.find(','));
     EXPECT_THAT(whole, HasSubstr("from the lowest up: " + lower + ", " + upper));
 }
@@ -67,7 +67,7 @@ TEST(Storeys, are_walked_to_by_the_route_to_their_nearest_room) {
         EXPECT_THAT(way, testing::StartsWith(to.substr(0, to.find('|')))) << way;
         EXPECT_FALSE(s.app.dialogue().is_open());
         // The person follows this route like any other route to a room.
-        EXPECT_NE(s.ask(Command::RestOfWay), phrase("way.none"));
+        EXPECT_NE(s.request(Command::RestOfRoute), phrase("way.none"));
     }
 }
 
@@ -77,7 +77,7 @@ TEST(Storeys, that_the_walker_is_on_are_described_with_their_rooms) {
     const std::string here = s.line("1");
     EXPECT_THAT(here, HasSubstr("You are on Storey 1. Its rooms: "));
     EXPECT_THAT(here, HasSubstr("Kitchen"));
-    EXPECT_THAT(s.ask(Command::RestOfWay), HasSubstr(phrase("way.none"))) << "nobody is led";
+    EXPECT_THAT(s.request(Command::RestOfRoute), HasSubstr(phrase("way.none"))) << "nobody is led";
 }
 
 TEST(Storeys, are_announced_with_the_first_room_on_arrival_and_not_again) {
@@ -90,7 +90,7 @@ TEST(Storeys, are_announced_with_the_first_room_on_arrival_and_not_again) {
     s.app.apply(Placed{s.app.feet_m(), 1.0}, s.now);
     s.run(0.5);
     EXPECT_THAT(s.news(), testing::Not(HasSubstr("storey 2 of 2")));
-    s.ask(Command::Home);
+    s.request(Command::Home);
     s.run(0.5);
     EXPECT_THAT(s.news(), HasSubstr("House with a garden, storey 1 of 2: "));
 }

@@ -33,10 +33,10 @@ Trailed go(const WalkerWorld& world, const WalkerSize& body, const Vec3& feet, d
     if (!trail.start(world, walker.state().feet_m, heading, body, side)) return result;
     constexpr double kDt = 1.0 / 60.0;
     for (int i = 0; i < seconds / kDt && trail.active(); ++i) {
-        const TrailWay way = trail.tick(world, walker.state().feet_m, heading, body, 1.0, kDt, result.events);
+        const TrailMotion way = trail.tick(world, walker.state().feet_m, heading, body, 1.0, kDt, result.events);
         const double off = std::remainder(way.heading_rad - heading, 2.0 * kPi);
         heading += std::clamp(off, -2.6 * kDt, 2.6 * kDt);
-        walker.tick(way.wish_m_per_s, kDt);
+        walker.tick(way.intended_m_per_s, kDt);
         result.feet_m.push_back(walker.state().feet_m);
     }
     return result;
@@ -77,7 +77,7 @@ TEST(Trail, goes_round_a_room_both_ways_at_any_place_and_never_leaves_the_wall) 
               FeatureKind::Wall);
         const auto scene = b.share();
         const WalkerWorld world(scene);
-        const WalkerSize body = body_size(*scene, 0.25);
+        const WalkerSize body = walker_size(*scene, 0.25);
         const bool left = run % 2 == 0;
         const Trailed lap = go(world, body, at + Vec3(0.5 * wide, 0.5, 0), 0.0,
                                left ? TrailSide::Left : TrailSide::Right, 2.0 * (wide + deep) + 8.0);
@@ -117,7 +117,7 @@ TEST(Trail, crosses_doorways_straight_and_announces_them_but_follows_wide_openin
         b.box({3 + gap, -0.2, 0}, {8.2, 0, 2.6}, "south wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
         const auto scene = b.share();
         const WalkerWorld world(scene);
-        const WalkerSize body = body_size(*scene, 0.25);
+        const WalkerSize body = walker_size(*scene, 0.25);
         const Trailed way = go(world, body, {1.5, 0.4, 0}, kPi / 2.0, TrailSide::Right, 6.0);
         const auto opening = std::find_if(way.events.begin(), way.events.end(),
                                           [](const TrailEvent& e) { return e.kind == TrailEvent::Kind::Opening; });
@@ -143,7 +143,7 @@ TEST(Trail, goes_round_the_outside_of_free_standing_straight_and_slanted_blocks)
         if (gap > 0.0) b.box({1, -0.5, 0}, {1 + gap, 0.5, 2}, "wing", SolidRole::Solid, "wood", FeatureKind::Wall);
         const auto scene = b.share();
         const WalkerWorld world(scene);
-        const Trailed lap = go(world, body_size(*scene, 0.25), {0, -1.5, 0}, kPi / 2.0, TrailSide::Left, 20.0);
+        const Trailed lap = go(world, walker_size(*scene, 0.25), {0, -1.5, 0}, kPi / 2.0, TrailSide::Left, 20.0);
         // The walker passes all four sides.
         bool side[4] = {};
         for (const Vec3& p : lap.feet_m) {
@@ -196,7 +196,7 @@ TEST(Trail, goes_round_a_room_with_slanted_walls_at_a_constant_distance) {
         // The walker starts next to the middle of the first wall and faces along the wall.
         const double across = turned + kPi / 6.0;
         const Vec3 start((apothem - 0.6) * std::cos(across), (apothem - 0.6) * std::sin(across), 0.0);
-        const Trailed lap = go(world, body_size(*shared, 0.25), start, -across, TrailSide::Left, 27.0);
+        const Trailed lap = go(world, walker_size(*shared, 0.25), start, -across, TrailSide::Left, 27.0);
         bool passed[6] = {};
         for (std::size_t i = lap.feet_m.size() / 10; i < lap.feet_m.size(); ++i) {
             const Vec3 p = lap.feet_m[i];
@@ -226,7 +226,7 @@ TEST(Trail, names_furniture_at_the_wall_without_a_corner_and_a_door_in_its_niche
     b.box({2, 0, 0.1}, {3.2, 0.15, 0.7}, "Radiator", SolidRole::Solid, "metal");
     const auto scene = b.share();
     const WalkerWorld world(scene);
-    const Trailed way = go(world, body_size(*scene, 0.25), {1.0, 0.4, 0}, kPi / 2.0, TrailSide::Right, 6.5);
+    const Trailed way = go(world, walker_size(*scene, 0.25), {1.0, 0.4, 0}, kPi / 2.0, TrailSide::Right, 6.5);
     const auto said = words(*scene, way.events);
     const auto at = [&](const std::string& word) { return std::find(said.begin(), said.end(), word) - said.begin(); };
     const auto count = static_cast<std::ptrdiff_t>(said.size());
@@ -245,19 +245,19 @@ TEST(Trail, turns_round_and_reports_if_there_is_no_wall) {
     const auto open = b.share();
     const WalkerWorld field(open);
     Trail trail;
-    EXPECT_FALSE(trail.start(field, Vec3(0.0), 0.0, body_size(*open, 0.25), TrailSide::Left));
+    EXPECT_FALSE(trail.start(field, Vec3(0.0), 0.0, walker_size(*open, 0.25), TrailSide::Left));
 
     SceneBuilder w;
     four_walls(w, Vec3(0.0), 8.0, 4.0);
     const auto scene = w.share();
     const WalkerWorld world(scene);
-    ASSERT_TRUE(trail.start(world, {0.4, 2.0, 0.0}, 0.0, body_size(*scene, 0.25), TrailSide::Left));
+    ASSERT_TRUE(trail.start(world, {0.4, 2.0, 0.0}, 0.0, walker_size(*scene, 0.25), TrailSide::Left));
     std::vector<TrailEvent> events;
     const double ahead =
-        trail.tick(world, {0.28, 2.0, 0.0}, 0.0, body_size(*scene, 0.25), 1.0, 0.02, events).heading_rad;
+        trail.tick(world, {0.28, 2.0, 0.0}, 0.0, walker_size(*scene, 0.25), 1.0, 0.02, events).heading_rad;
     trail.turn_round();
     const double back =
-        trail.tick(world, {0.28, 2.0, 0.0}, 0.0, body_size(*scene, 0.25), 1.0, 0.02, events).heading_rad;
+        trail.tick(world, {0.28, 2.0, 0.0}, 0.0, walker_size(*scene, 0.25), 1.0, 0.02, events).heading_rad;
     EXPECT_NEAR(std::abs(std::remainder(ahead - back, 2.0 * kPi)), kPi, 1e-9);
     EXPECT_EQ(trail.side(), TrailSide::Right);
 }

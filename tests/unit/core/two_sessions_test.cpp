@@ -267,11 +267,11 @@ struct Visitor : test::AppSession {
     }
     // Sets a mark and gives it this name. Returns the answer.
     std::string mark(const std::string& name) {
-        ask(Command::DropMark);
+        request(Command::DropMark);
         return line(name);
     }
     std::string marks() {
-        ask(Command::Marks);
+        request(Command::Marks);
         std::string all;
         for (const ListItem& item : app.dialogue().view().items) all += item.name + "; ";
         app.apply(KeyTapped{"Escape"}, now);
@@ -288,7 +288,7 @@ TEST(Additions, that_cannot_be_saved_are_reported_each_time_and_saved_once_that_
     Visitor visitor(world);
     EXPECT_THAT(visitor.mark("Coat"), HasSubstr("Not saved yet: Coat"));
     EXPECT_THAT(visitor.mark("Shoes"), HasSubstr("Not saved yet: Shoes")) << "not only the first time";
-    visitor.ask(Command::DeleteMark);
+    visitor.request(Command::DeleteMark);
     EXPECT_THAT(visitor.line("Coat"), HasSubstr("Not saved yet: Coat deleted"));
     fs::remove(link);
     visitor.news();
@@ -303,8 +303,8 @@ TEST(TwoSessions, at_one_spot_name_two_marks_without_a_conflict) {
     const fs::path world = folder.path() / "first_room.map";
     fs::copy_file(test::project_root() / "worlds/maps/first_room.map", world);
     Visitor first(world), second(world);
-    first.ask(Command::DropMark);
-    second.ask(Command::DropMark);
+    first.request(Command::DropMark);
+    second.request(Command::DropMark);
     EXPECT_THAT(first.line("Coat"), Not(HasSubstr("changed the same")));
     EXPECT_THAT(second.line("Shoes"), Not(HasSubstr("changed the same")));
     EXPECT_THAT(names(SideFile::of_world(world, {}).entries("mark")), UnorderedElementsAre("Coat", "Shoes"));
@@ -332,7 +332,7 @@ TEST(TwoSessions, both_keep_their_marks_and_a_conflict_is_announced) {
         if (text_of(one, "name") == "Coat") one["name"] = std::string("Jacket");
     other.set_entries("mark", list);
     ASSERT_TRUE(other.save());
-    first.ask(Command::DeleteMark);
+    first.request(Command::DeleteMark);
     first.news();
     first.line("Coat");
     EXPECT_THAT(first.news(),

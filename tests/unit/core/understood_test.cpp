@@ -1,6 +1,6 @@
 // Tests the report on what the reader understood of a building's file: one sentence when the world is entered, and a
 // full list on request.
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/context/workspace_scale.h"
 #include "app/core/dialogue/words.h"
 #include "tests/support/map_text.h"
@@ -81,9 +81,9 @@ TEST(DescribedRoom, has_the_size_of_the_outline_that_the_file_states) {
         p.tap(Command::Describe);
         p.line(room.name);
         const Vec3 size = outline.size_m();
-        const std::string told =
+        const std::string reported =
             phrase("describe.room", {{"room", room.name}, {"size", size_words(size.x, size.y, distances(Settings{}))}});
-        EXPECT_THAT(p.all_heard(0), HasSubstr(told));
+        EXPECT_THAT(p.all_heard(0), HasSubstr(reported));
     }
 }
 

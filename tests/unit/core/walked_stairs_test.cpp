@@ -29,8 +29,9 @@ TEST(WalkedStairs, of_each_form_lead_up_and_down) {
     for (const test::StairForm form : test::kStairForms) {
         const test::StairHouse house(form);
         const auto scene = house.share();
-        const WalkerSize size = body_size(*scene, 0.25);
-        const auto ways = Navigation::make(*scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m));
+        const WalkerSize size = walker_size(*scene, 0.25);
+        const auto ways =
+            Navigation::make(*scene, walker_measures(*scene, size.radius_m, size.height_m, size.step_up_m));
         ASSERT_TRUE(ways.has_value());
         const WalkerWorld world(scene);
         Walker walker(world, size);
@@ -55,7 +56,7 @@ TEST(WalkedStairs, lower_no_step_that_does_not_belong_to_them) {
     b.box({-5, 1, 0}, {5, 2, 0.35}, "block");
     const auto scene = b.share();
     const WalkerWorld world(scene);
-    Walker walker(world, body_size(*scene, 0.25));
+    Walker walker(world, walker_size(*scene, 0.25));
     walker.place({0, 0, 0});
     for (int i = 0; i < 180; ++i) walker.tick({0, 1, 0}, 1.0 / 60.0);
     EXPECT_NEAR(walker.state().feet_m.z, 0.0, 1e-3);

@@ -35,7 +35,7 @@ TEST(Walker, stops_at_its_radius_from_a_wall_and_names_it) {
     const FeatureId wall = room.box({-5, 4, 0}, {5, 4.2, 2.6}, "north wall");
     const auto scene = room.share();
     const WalkerWorld world(scene);
-    Walker walker(world, body_size(*scene, 0.25));
+    Walker walker(world, walker_size(*scene, 0.25));
     walker.place({0, 0, 0});
     const Walked w = walk(walker, {0, 1, 0}, 6.0);
     EXPECT_NEAR(walker.state().feet_m.y, 3.75, 1e-3);
@@ -50,7 +50,7 @@ TEST(Walker, slides_along_a_wall_met_at_a_slant) {
     room.box({-50, 2, 0}, {50, 2.2, 2.6});
     const auto scene = room.share();
     const WalkerWorld world(scene);
-    Walker walker(world, body_size(*scene, 0.25));
+    Walker walker(world, walker_size(*scene, 0.25));
     walker.place({0, 0, 0});
     walk(walker, {0.8, 0.6, 0}, 10.0);
     EXPECT_NEAR(walker.state().feet_m.y, 1.75, 1e-3);
@@ -63,7 +63,7 @@ TEST(Walker, climbs_twelve_stairs_of_17_cm_and_walks_down_again) {
     for (int i = 0; i < 12; ++i) hall.box({-1, 1 + 0.28 * i, 0}, {1, 8, 0.17 * (i + 1)});
     const auto scene = hall.share();
     const WalkerWorld world(scene);
-    Walker walker(world, body_size(*scene, 0.25));
+    Walker walker(world, walker_size(*scene, 0.25));
     walker.place({0, 0, 0});
     walk(walker, {0, 1, 0}, 6.0);
     EXPECT_NEAR(walker.state().feet_m.z, 12 * 0.17, 1e-3);
@@ -80,7 +80,7 @@ TEST(Walker, climbs_a_half_metre_step_in_a_game_map_but_not_in_a_building) {
         world_of.scene().game_map = game;
         const auto scene = world_of.share();
         const WalkerWorld world(scene);
-        Walker walker(world, body_size(*scene, 0.25));
+        Walker walker(world, walker_size(*scene, 0.25));
         walker.place({0, 0, 0});
         walk(walker, {0, 1, 0}, 4.0);
         EXPECT_NEAR(walker.state().feet_m.z, game ? 0.5 : 0.0, 1e-3);
@@ -98,7 +98,7 @@ TEST(Walker, walks_up_a_ramp_and_falls_off_an_edge_at_earth_gravity) {
     hill.box({-2, 14, -3.2}, {2, 30, -3.0});
     const auto scene = hill.share();
     const WalkerWorld world(scene);
-    Walker walker(world, body_size(*scene, 0.25));
+    Walker walker(world, walker_size(*scene, 0.25));
     walker.place({0, -1, 0});
     walk(walker, {0, 1, 0}, 14.0);
     EXPECT_NEAR(walker.state().feet_m.z, 1.0, 1e-3);
@@ -124,7 +124,7 @@ TEST(Walker, passes_a_door_of_90_cm_but_not_one_of_40_cm) {
         rooms.box({-width / 2, 1, 2.0}, {width / 2, 1.2, 2.6});
         const auto scene = rooms.share();
         const WalkerWorld world(scene);
-        Walker walker(world, body_size(*scene, 0.25));
+        Walker walker(world, walker_size(*scene, 0.25));
         walker.place({0, 0, 0});
         walk(walker, {0, 1, 0}, 3.0);
         EXPECT_NEAR(walker.state().feet_m.y, width > 0.5 ? 3.0 : 0.75, 2e-3);
@@ -141,7 +141,7 @@ TEST(Walker, steps_over_a_threshold_of_2_cm_under_a_lintel_that_leaves_it_3_cm) 
     rooms.box({-0.5, 1, 1.83}, {0.5, 1.3, 2.6}, "lintel");
     const auto scene = rooms.share();
     const WalkerWorld world(scene);
-    Walker walker(world, body_size(*scene, 0.25));
+    Walker walker(world, walker_size(*scene, 0.25));
     walker.place({0, 0, -0.02});
     walk(walker, {0, 1, 0}, 3.0);
     EXPECT_NEAR(walker.state().feet_m.y, 3.0, 2e-3);
@@ -157,7 +157,7 @@ TEST(Walker, stands_on_the_floor_even_if_it_is_too_wide_for_its_place) {
     const auto scene = passage.share();
     const WalkerWorld world(scene);
     for (const double z : {0.0, -0.1}) {
-        Walker walker(world, body_size(*scene, 0.6));
+        Walker walker(world, walker_size(*scene, 0.6));
         walker.place({0, 0, z});
         EXPECT_TRUE(walker.state().on_ground) << z;
         walk(walker, {0, 0, 0}, 2.0);
@@ -175,7 +175,7 @@ TEST(Walker, walks_out_of_an_overlapping_solid_and_never_deeper_into_it) {
     const FeatureId wall = passage.box({-3, 0.5, 0}, {3, 0.7, 2.6}, "wall");
     const auto scene = passage.share();
     const WalkerWorld world(scene);
-    Walker walker(world, body_size(*scene, 0.6));
+    Walker walker(world, walker_size(*scene, 0.6));
     const double gap = 1e-5;
     for (const double angle : {0.0, 0.5, 1.0, 1.5, -0.5, -1.0, -1.5}) {
         walker.place({0, 0, 0});
@@ -198,7 +198,7 @@ TEST(Walker, stays_in_place_when_something_comes_to_overlap_it) {
     room.ramp({0.15, -0.5, 0.3}, {1.5, 0.5, 1.5});
     const auto scene = room.share();
     const WalkerWorld world(scene);
-    Walker walker(world, body_size(*scene, 0.25));
+    Walker walker(world, walker_size(*scene, 0.25));
     WalkerMotion stood;
     stood.feet_m = {0, 0, 1e-4};
     stood.on_ground = true;
@@ -221,7 +221,7 @@ TEST(Walker, walks_out_of_a_solid_around_its_centre_in_either_direction) {
     const auto scene = room.share();
     const WalkerWorld world(scene);
     for (const double sign : {1.0, -1.0}) {
-        Walker walker(world, body_size(*scene, 0.25));
+        Walker walker(world, walker_size(*scene, 0.25));
         walker.place({0, 0.02, 0});
         walk(walker, {0, sign, 0}, 2.0);
         EXPECT_FALSE(world.blocked(walker.state().feet_m, walker.shape())) << sign;
@@ -244,7 +244,7 @@ TEST(Walker, never_ends_inside_a_solid_in_random_clutter) {
         const auto scene = clutter.share();
         const WalkerWorld world(scene);
         const WalkerWorld& w = world;
-        Walker walker(w, body_size(*scene, 0.25));
+        Walker walker(w, walker_size(*scene, 0.25));
         walker.place({0, 0, 0});
         ASSERT_FALSE(world.blocked(walker.state().feet_m, walker.shape()));
         double heading = 0.0;

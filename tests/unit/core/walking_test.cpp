@@ -237,17 +237,17 @@ TEST(Walking, game_levels_are_walkable_and_quiet) {
             farthest = std::max(farthest, glm::length(w.app.feet_m() - start));
             for (int k = 0; k < 5; ++k) w.tap(Command::TurnRight, 0.2);
         }
-        int told = 0, edges = 0;
+        int reported = 0, edges = 0;
         for (const CueRequest& cue : w.cues)
             if (cue.kind == CueRequestKind::Say) {
-                told += words_in_order("Stairs ahead", cue.text) || words_in_order("Drop ahead", cue.text) ||
-                        words_in_order("Ramp", cue.text);
+                reported += words_in_order("Stairs ahead", cue.text) || words_in_order("Drop ahead", cue.text) ||
+                            words_in_order("Ramp", cue.text);
                 edges += words_in_order("Edge Drop", cue.text);
             }
-        std::cout << name << ": " << farthest << " m, " << told << " callouts, " << edges << " edges in " << w.now
+        std::cout << name << ": " << farthest << " m, " << reported << " callouts, " << edges << " edges in " << w.now
                   << " s\n";
         EXPECT_GT(farthest, 3.0) << name;
-        EXPECT_LE(told, static_cast<int>(w.now / 5.0)) << name;
+        EXPECT_LE(reported, static_cast<int>(w.now / 5.0)) << name;
         EXPECT_LE(edges, 4) << name;
     }
 }

@@ -32,18 +32,18 @@ TEST(NamedScale, is_announced_with_its_name_and_width_in_the_persons_units) {
     EXPECT_EQ(scale_sentence(NamedScale::Building, 416.7, kTouch, metres), "Building, 63 metres wide");
 }
 
-TEST(BallRadius, is_4_mm_at_room_scale_2_to_6_mm_elsewhere_and_at_most_a_sixth_of_the_narrowest_door) {
+TEST(ProxyRadius, is_4_mm_at_room_scale_2_to_6_mm_elsewhere_and_at_most_a_sixth_of_the_narrowest_door) {
     test::SceneBuilder open;
     open.box({0, 0, 0}, {1, 1, 1}, "block", SolidRole::Solid, "wood", FeatureKind::Object);
     const Scene& plain = open.scene();
-    EXPECT_NEAR(ball_radius_m(plain, 0.004, 60.0), 0.12, 1e-12);
-    EXPECT_NEAR(ball_radius_m(plain, 0.004, 120.0), 0.12, 1e-12);
-    EXPECT_NEAR(ball_radius_m(plain, 0.004, 15.0), 0.045, 1e-12);  // 6 mm at the hand
-    EXPECT_NEAR(ball_radius_m(plain, 0.004, 400.0), 0.4, 1e-12);   // 2 mm at the hand
+    EXPECT_NEAR(proxy_radius_m(plain, 0.004, 60.0), 0.12, 1e-12);
+    EXPECT_NEAR(proxy_radius_m(plain, 0.004, 120.0), 0.12, 1e-12);
+    EXPECT_NEAR(proxy_radius_m(plain, 0.004, 15.0), 0.045, 1e-12);  // 6 mm at the hand
+    EXPECT_NEAR(proxy_radius_m(plain, 0.004, 400.0), 0.4, 1e-12);   // 2 mm at the hand
     open.box({2, 0, 0}, {2.9, 0.1, 2.0}, "door", SolidRole::Solid, "wood", FeatureKind::Door);
     for (const double scale : {15.0, 60.0, 120.0, 400.0})
-        EXPECT_LE(2.0 * ball_radius_m(open.scene(), 0.004, scale), 0.9 / 3.0 + 1e-12);
-    EXPECT_NEAR(ball_radius_m(open.scene(), 0.004, 400.0), 0.15, 1e-12);
+        EXPECT_LE(2.0 * proxy_radius_m(open.scene(), 0.004, scale), 0.9 / 3.0 + 1e-12);
+    EXPECT_NEAR(proxy_radius_m(open.scene(), 0.004, 400.0), 0.15, 1e-12);
 }
 
 }  // namespace workspace_scale_test

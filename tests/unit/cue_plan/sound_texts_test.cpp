@@ -51,7 +51,7 @@ TEST(SoundTexts, give_the_direction_of_a_sound_in_words_all_round) {
             cue.kind = SoundKind::Beacon;
             const double bearing_rad = 0.25 * kPi * eighth;
             cue.position_m = {3.0 * std::sin(bearing_rad), 3.0 * std::cos(bearing_rad), 0.0};
-            const std::string said = SoundWords().tell(cue, Listener{}, 0.0);
+            const std::string said = SoundWords().describe(cue, Listener{}, 0.0);
             EXPECT_FALSE(said.empty());
             EXPECT_EQ(said.find("direction."), std::string::npos) << said;
             if (eighth == 7) {

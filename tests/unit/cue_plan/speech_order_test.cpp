@@ -18,7 +18,7 @@ class SpeechOrderTest : public ::testing::Test {
 protected:
     void add(std::string text, SpeechClass speech_class, SpeechTopic topic = SpeechTopic::None) {
         order.add({.utterance = {.text = std::move(text), .speech_class = speech_class, .topic = topic},
-                   .asked_s = now_s,
+                   .requested_s = now_s,
                    .expires_s = now_s + 0.5,
                    .repeatable = true});
     }

@@ -130,19 +130,19 @@ TEST(MapAuthorsGuide, lists_every_effect_with_its_ranges) {
 // The map reader queries keys by name. Every name that the reader queries must have a line in the guide, and every line
 // of the guide must be about such a name.
 TEST(MapAuthorsGuide, lists_every_key_that_the_map_reader_reads) {
-    static const std::regex kAsked(
+    static const std::regex kQuoted(
         R"re((?:(?:entity_?\.find|entity\.value|text_of|yes_no_of|number_of|side_of|vector_of|)re"
         R"re(name_of_key)\((?:entity_?,\s*)?|NumberKey k\w+\{)"([a-z_]+)")re");
     std::string source = test::content_of(kRoot / "worlds" / "readers" / "quake_map.cpp");
     for (const char* more :
          {"map_effects.cpp", "map_keys.cpp", "map_meaning.cpp", "map_movers.cpp", "map_soft.cpp", "map_surfaces.cpp"})
         source += test::content_of(kRoot / "worlds" / "readers" / more);
-    std::set<std::string> asked;
-    for (auto it = std::sregex_iterator(source.begin(), source.end(), kAsked); it != std::sregex_iterator(); ++it)
-        asked.insert((*it)[1]);
+    std::set<std::string> requested;
+    for (auto it = std::sregex_iterator(source.begin(), source.end(), kQuoted); it != std::sregex_iterator(); ++it)
+        requested.insert((*it)[1]);
     // This key belongs to another program; the reader omits the map that it names and reports that.
-    asked.erase("_external_map");
-    EXPECT_GE(asked.size(), 10U) << "the reader's source was not understood";
+    requested.erase("_external_map");
+    EXPECT_GE(requested.size(), 10U) << "the reader's source was not understood";
     std::set<std::string> listed;
     static const std::regex kKey("`([a-z_]+)`");
     for (const std::string& item : list_items("map-authors-guide/keys.md", "## Keys")) {
@@ -150,7 +150,7 @@ TEST(MapAuthorsGuide, lists_every_key_that_the_map_reader_reads) {
         for (auto it = std::sregex_iterator(keys.begin(), keys.end(), kKey); it != std::sregex_iterator(); ++it)
             listed.insert((*it)[1]);
     }
-    EXPECT_EQ(listed, asked);
+    EXPECT_EQ(listed, requested);
 }
 
 TEST(DevelopersGuide, links_to_every_example) {

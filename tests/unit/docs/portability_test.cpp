@@ -25,7 +25,7 @@ bool of_the_system(const std::string& header) {
                                                   [&](const auto& folder) { return header.starts_with(folder); });
 }
 
-std::set<std::string> asked_by(const std::string& text) {
+std::set<std::string> required_by(const std::string& text) {
     static const std::regex kInclude(R"re(#[ \t]*include[ \t]*<([^>]+)>)re");
     std::set<std::string> headers;
     for (auto it = std::sregex_iterator(text.begin(), text.end(), kInclude); it != std::sregex_iterator(); ++it)
@@ -45,23 +45,23 @@ bool needs_no_system(const std::string& file) {
 }
 
 TEST(Portability, documentation_lists_every_file_with_system_calls_and_the_core_has_none) {
-    std::set<std::string> asking;
+    std::set<std::string> requiring;
     for (const std::string& file : test::project_files()) {
         const bool program =
             std::any_of(kProgram.begin(), kProgram.end(), [&](const char* folder) { return file.starts_with(folder); });
         if (!program || !(file.ends_with(".h") || file.ends_with(".cpp"))) continue;
-        const std::set<std::string> headers = asked_by(test::content_of(kRoot / file));
+        const std::set<std::string> headers = required_by(test::content_of(kRoot / file));
         if (headers.empty()) continue;
         EXPECT_FALSE(needs_no_system(file)) << file << " includes " << *headers.begin();
-        asking.insert(file);
+        requiring.insert(file);
     }
-    EXPECT_GT(asking.size(), 20U);
+    EXPECT_GT(requiring.size(), 20U);
     static const std::regex kFile(R"re(`([a-z][\w./-]+\.(?:h|cpp))`)re");
     std::set<std::string> listed;
     for (const std::string& item : test::list_items("portability.md", "## What depends on the system"))
         for (auto it = std::sregex_iterator(item.begin(), item.end(), kFile); it != std::sregex_iterator(); ++it)
             listed.insert((*it)[1]);
-    EXPECT_EQ(listed, asking);
+    EXPECT_EQ(listed, requiring);
 }
 
 }  // namespace portability_test

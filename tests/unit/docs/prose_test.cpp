@@ -80,7 +80,7 @@ const std::vector<Block>& blocks_of(const std::string& page) {
 // Returns a block's text as one line. Replaces links by their words and code by `X`. Replaces the program's own texts,
 // which have separate tests, by "X".
 std::string words_of(const Block& block) {
-    static const std::regex kIndent("^ +"), kAsked("\"[^\"]*([.?!])\""), kSaid("\"[^\"]*[^\".?!]\"");
+    static const std::regex kIndent("^ +"), kQuoted("\"[^\"]*([.?!])\""), kSaid("\"[^\"]*[^\".?!]\"");
     static const std::regex kMark(R"(^ *([-*]|\d+\.|#+) +)"), kLink(R"(!?\[([^\]]*)\]\([^)]*\))"), kCode("`[^`]*`"),
         kAddress(R"(https?://\S+)");
     std::string text;
@@ -89,7 +89,7 @@ std::string words_of(const Block& block) {
     text = std::regex_replace(text, kMark, "");
     text = std::regex_replace(text, kCode, "X");
     text = std::regex_replace(text, kLink, "$1");
-    text = std::regex_replace(text, kAsked, "\"X$1\"");
+    text = std::regex_replace(text, kQuoted, "\"X$1\"");
     text = std::regex_replace(text, kSaid, "\"X\"");
     return std::regex_replace(text, kAddress, "X");
 }

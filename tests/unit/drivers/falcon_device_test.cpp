@@ -28,7 +28,7 @@ struct Falcon {
     DirectFalconLink* link = nullptr;
     std::unique_ptr<FalconDevice> device;
     test::TemporaryFolder folder;
-    std::vector<std::string> told;
+    std::vector<std::string> reported;
 
     explicit Falcon(bool running = true) {
         auto owned = std::make_unique<DirectFalconLink>(emulator, clock);
@@ -41,7 +41,7 @@ struct Falcon {
             emulator.firmware_wanted = image.size();
             options.firmware_files = {folder.write("falcon.bin", std::string(image.begin(), image.end()))};
         }
-        options.tell = [this](const std::string& sentence) { told.push_back(sentence); };
+        options.report = [this](const std::string& sentence) { reported.push_back(sentence); };
         device = std::make_unique<FalconDevice>(std::move(owned), clock, options);
     }
     DeviceSample exchange(const Vec3& force_n) {
@@ -66,7 +66,7 @@ TEST(FalconDevice, starts_up_by_sending_its_firmware_and_comparing_every_echo) {
     EXPECT_FALSE(falcon.device->firmware_was_running());
     const auto image = test::boot_image(4000);
     EXPECT_EQ(falcon.emulator.firmware, image);
-    EXPECT_THAT(falcon.told,
+    EXPECT_THAT(falcon.reported,
                 testing::ElementsAre(testing::HasSubstr("needs waking"), testing::HasSubstr("towards you")));
     EXPECT_EQ(falcon.emulator.latency_ms, 1U);
 }
@@ -97,23 +97,23 @@ TEST(FalconDevice, reports_progress_of_a_slow_firmware_upload) {
     const test::TemporaryFolder folder;
     const auto image = test::boot_image(4000);
     emulator.firmware_wanted = image.size();
-    std::vector<std::string> told;
-    std::vector<double> told_s;
+    std::vector<std::string> reported;
+    std::vector<double> reported_s;
     FalconOptions options;
     options.firmware_files = {folder.write("falcon.bin", std::string(image.begin(), image.end()))};
-    options.tell = [&](const std::string& sentence) {
+    options.report = [&](const std::string& sentence) {
         if (sentence.find("percent") == std::string::npos) return;
-        told.push_back(sentence);
-        told_s.push_back(clock.now_s());
+        reported.push_back(sentence);
+        reported_s.push_back(clock.now_s());
     };
     auto wire = std::make_unique<SlowLink>(std::make_unique<DirectFalconLink>(emulator, clock), clock, 1.0 / 3.0);
     FalconDevice device(std::move(wire), clock, options);
     const auto opened = device.open();
     ASSERT_TRUE(opened) << opened.error().sentence();
-    ASSERT_GE(told.size(), 2U);
-    EXPECT_THAT(told.front(), testing::ContainsRegex("^Sending the Falcon's firmware, [0-9]+ percent\\.$"));
-    EXPECT_NE(told[0], told[1]);
-    for (std::size_t i = 1; i < told_s.size(); ++i) EXPECT_NEAR(told_s[i] - told_s[i - 1], 5.0, 0.5);
+    ASSERT_GE(reported.size(), 2U);
+    EXPECT_THAT(reported.front(), testing::ContainsRegex("^Sending the Falcon's firmware, [0-9]+ percent\\.$"));
+    EXPECT_NE(reported[0], reported[1]);
+    for (std::size_t i = 1; i < reported_s.size(); ++i) EXPECT_NEAR(reported_s[i] - reported_s[i - 1], 5.0, 0.5);
 }
 
 TEST(FalconDevice, needs_no_firmware_file_if_its_firmware_already_runs) {
@@ -142,7 +142,7 @@ TEST(FalconDevice, retries_after_a_wrong_echo_and_reports_it) {
     Falcon falcon(false);
     falcon.emulator.wrong_echo_at_byte = 1234;
     ASSERT_TRUE(falcon.device->open());
-    EXPECT_THAT(falcon.told, testing::Contains(testing::HasSubstr("Attempt 2")));
+    EXPECT_THAT(falcon.reported, testing::Contains(testing::HasSubstr("Attempt 2")));
     EXPECT_EQ(falcon.emulator.firmware, test::boot_image(4000));
 }
 

@@ -19,14 +19,14 @@ constexpr double kInf = std::numeric_limits<double>::infinity();
 // and angles grow clockwise.
 class KeepingLink final : public FfLink {
 public:
-    struct Told {
+    struct Sent {
         double level = 0.0, towards_rad = 0.0;
     };
-    explicit KeepingLink(Told& told) : told_(told) {}
+    explicit KeepingLink(Sent& sent) : sent_(sent) {}
     FfAbilities abilities() const override { return {.rumble = false, .constant = true, .gain = true, .stick = true}; }
     bool rumble(double, double) noexcept override { return false; }
     bool constant(double level, double towards_rad) noexcept override {
-        told_ = {level, towards_rad};
+        sent_ = {level, towards_rad};
         return true;
     }
     bool stop() noexcept override { return true; }
@@ -34,7 +34,7 @@ public:
     bool poll(Stick&) noexcept override { return true; }
 
 private:
-    Told& told_;
+    Sent& sent_;
 };
 
 // Returns a force whose axes differ by up to 600 orders of magnitude, so that some components are nearly zero compared
@@ -78,28 +78,28 @@ TEST(ForcePacking, of_an_invalid_number_gives_no_force) {
 }
 
 TEST(ForceStick, level_stays_in_range_and_keeps_its_direction_for_any_request) {
-    KeepingLink::Told told;
-    ForceStick stick(std::make_unique<KeepingLink>(told));
+    KeepingLink::Sent sent;
+    ForceStick stick(std::make_unique<KeepingLink>(sent));
     ASSERT_TRUE(stick.open());
     std::mt19937 random(42);
     for (int i = 0; i < test::scaled(20000); ++i) {
         const Vec3 force = any_force(random);
         stick.write({force});
-        ASSERT_TRUE(told.level >= 0.0 && told.level <= 1.0 + 1e-12) << told.level;
+        ASSERT_TRUE(sent.level >= 0.0 && sent.level <= 1.0 + 1e-12) << sent.level;
         if (std::max(std::abs(force.x), std::abs(force.y)) < 1e-3) continue;
         const double largest = std::max(std::abs(force.x), std::abs(force.y));
         const double length = std::hypot(force.x / largest, force.y / largest);
-        ASSERT_NEAR(-std::sin(told.towards_rad), force.x / largest / length, 1e-9);
-        ASSERT_NEAR(-std::cos(told.towards_rad), force.y / largest / length, 1e-9);
+        ASSERT_NEAR(-std::sin(sent.towards_rad), force.x / largest / length, 1e-9);
+        ASSERT_NEAR(-std::cos(sent.towards_rad), force.y / largest / length, 1e-9);
     }
     for (const double odd : {std::nan(""), kInf, -kInf})
         for (int axis = 0; axis < 3; ++axis) {
             stick.write({{1.0, 0.0, 0.0}});
-            ASSERT_GT(told.level, 0.3);
+            ASSERT_GT(sent.level, 0.3);
             Vec3 force{1.0, 1.0, 1.0};
             force[axis] = odd;
             stick.write({force});
-            EXPECT_EQ(told.level, 0.0);
+            EXPECT_EQ(sent.level, 0.0);
         }
 }
 

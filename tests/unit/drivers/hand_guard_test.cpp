@@ -89,12 +89,12 @@ struct Guard : test::GuardEnds {
         thread = std::thread([this] {
             status = guard_hand(
                 mailbox, wake, guards(),
-                [this](const std::function<void(const std::string&)>& tell) -> Result<std::unique_ptr<HapticDevice>> {
+                [this](const std::function<void(const std::string&)>& report) -> Result<std::unique_ptr<HapticDevice>> {
                     const std::lock_guard lock(life.mutex);
                     if (life.refuse) return fail("It is not plugged in.");
                     ++life.opened;
                     life.changed.notify_all();
-                    tell("Waking it.");
+                    report("Waking it.");
                     return std::unique_ptr<HapticDevice>(std::make_unique<RecordingDevice>(life));
                 },
                 [this] { stuck = true; });

@@ -73,16 +73,16 @@ TEST(HaplyDevice, force_keeps_its_direction_and_stays_below_the_ceiling) {
     SteadyClock clock;
     auto device = open_haply_device(clock, service.port());
     ASSERT_TRUE(device);
-    for (const Vec3& asked :
+    for (const Vec3& requested :
          {Vec3(1e9, 0, 0), Vec3(0, 1e9, -1e9), Vec3(std::nan(""), 1, 1), Vec3(0, INFINITY, 0), Vec3(1, 0, 0)}) {
         for (int answer = 0; answer < 2; ++answer)  // the first answer may belong to the previous command
             do {
                 (*device)->read(0.0);
-                (*device)->write({asked});
+                (*device)->write({requested});
             } while (!(*device)->read(0.0).fresh);
         const std::lock_guard guard(service.lock);
-        if (is_finite(asked)) {
-            EXPECT_GT(glm::dot(service.force, asked / glm::length(asked)), 0.999 * glm::length(service.force));
+        if (is_finite(requested)) {
+            EXPECT_GT(glm::dot(service.force, requested / glm::length(requested)), 0.999 * glm::length(service.force));
         } else {
             EXPECT_EQ(service.force, Vec3(0.0));
         }

@@ -29,7 +29,7 @@ TEST_P(Pad, reports_sticks_triggers_and_buttons) {
     emulator.sticks = {255, 0, 128, 191};
     emulator.triggers = {51, 255};
     emulator.keys = {0x20 | 2, 0x81, 0x03};
-    emulator.tell();
+    emulator.send();
     const auto input = pad.read(0.0);
     ASSERT_TRUE(input);
     EXPECT_DOUBLE_EQ(input->left_x, 1.0);
@@ -70,10 +70,10 @@ TEST_P(Pad, rejects_reports_with_a_wrong_checksum_and_incomplete_reports) {
     ASSERT_TRUE(pad.open());
     emulator.sticks = {255, 255, 255, 255};
     if (GetParam().bus == PadBus::Bluetooth) {
-        emulator.tell_wrong_checksum();
+        emulator.send_wrong_checksum();
         EXPECT_FALSE(pad.read(0.0));
     }
-    emulator.tell();
+    emulator.send();
     const std::vector<std::uint8_t> whole = emulator.to_host.front();
     emulator.to_host.clear();
     for (std::size_t cut = 0; cut < whole.size(); ++cut)
@@ -94,7 +94,7 @@ TEST_P(Pad, returns_the_newest_of_many_reports) {
     ASSERT_TRUE(pad.open());
     for (const std::uint8_t trigger : {10, 20, 51}) {
         emulator.triggers = {trigger, 0};
-        emulator.tell();
+        emulator.send();
     }
     EXPECT_DOUBLE_EQ(pad.read(0.0)->left_trigger, 0.2);
     EXPECT_FALSE(pad.read(0.0));
@@ -166,37 +166,37 @@ struct Puck {
 // Pushes to the right, away from the person and up must give positive x, y and z.
 TEST(SpaceMouse, right_forward_up_are_x_y_z_and_rotations_follow_the_right_hand_rule) {
     Puck puck;
-    puck.emulator.tell(1, {350, 0, 0});
+    puck.emulator.send(1, {350, 0, 0});
     EXPECT_EQ(puck.mouse.poll(0.0).move, Vec3(1.0, 0.0, 0.0));
-    puck.emulator.tell(1, {0, -350, 0});
+    puck.emulator.send(1, {0, -350, 0});
     EXPECT_EQ(puck.mouse.poll(0.0).move, Vec3(0.0, 1.0, 0.0));
-    puck.emulator.tell(1, {0, 0, -350});
+    puck.emulator.send(1, {0, 0, -350});
     EXPECT_EQ(puck.mouse.poll(0.0).move, Vec3(0.0, 0.0, 1.0));
-    puck.emulator.tell(2, {0, 0, 350});
+    puck.emulator.send(2, {0, 0, 350});
     EXPECT_EQ(puck.mouse.poll(0.0).turn, Vec3(0.0, 0.0, -1.0))
         << "about its own down axis, so clockwise seen from above";
-    puck.emulator.tell_all({350, 0, 0, 0, 0, -350});
+    puck.emulator.send_all({350, 0, 0, 0, 0, -350});
     EXPECT_EQ(puck.mouse.poll(0.0).move, Vec3(1.0, 0.0, 0.0));
     EXPECT_EQ(puck.mouse.poll(0.0).turn, Vec3(0.0, 0.0, 1.0));
 }
 
 TEST(SpaceMouse, is_at_rest_inside_its_dead_band_and_when_it_falls_silent) {
     Puck puck;
-    puck.emulator.tell(1, {27, -27, 20});
+    puck.emulator.send(1, {27, -27, 20});
     EXPECT_EQ(puck.mouse.poll(0.0).move, Vec3(0.0));
-    puck.emulator.tell(1, {200, 0, 0});
+    puck.emulator.send(1, {200, 0, 0});
     const double half = puck.mouse.poll(1.0).move.x;
     EXPECT_GT(half, 0.1);
     EXPECT_LT(half, 0.3) << "finer than straight";
     EXPECT_EQ(puck.mouse.poll(1.09).move.x, half);
     EXPECT_EQ(puck.mouse.poll(1.11).move.x, 0.0);
-    puck.emulator.tell(1, {30000, -30000, 0});
+    puck.emulator.send(1, {30000, -30000, 0});
     EXPECT_EQ(puck.mouse.poll(2.0).move, Vec3(1.0, 1.0, 0.0));
 }
 
 TEST(SpaceMouse, has_buttons_and_a_light_and_ignores_truncated_reports) {
     Puck puck;
-    puck.emulator.tell_buttons(0x80000002);
+    puck.emulator.send_buttons(0x80000002);
     EXPECT_EQ(puck.mouse.poll(0.0).buttons, 0x80000002U);
     EXPECT_TRUE(puck.mouse.light(true));
     EXPECT_TRUE(puck.emulator.light);

@@ -48,13 +48,13 @@ private:
 
 struct Dhd : StandIn {
     Dhd() : StandIn(test::built_standin("standin_dhd")) {}
-    struct Told {
+    struct Received {
         Vec3 position{0.0}, force{0.0};
         double largest = 0.0;
         int open = 0, watchdog = 0;
     };
-    Told told() const {
-        Told t;
+    Received received() const {
+        Received t;
         call<void(double*, double*, double*, int*, int*)>("standin_read")(&t.position.x, &t.force.x, &t.largest,
                                                                           &t.open, &t.watchdog);
         return t;
@@ -63,13 +63,13 @@ struct Dhd : StandIn {
 
 struct Hd : StandIn {
     Hd() : StandIn(test::built_standin("standin_hd")) {}
-    struct Told {
+    struct Received {
         Vec3 position_mm{0.0}, force{0.0};
         double largest = 0.0;
         int ticks = 0, disabled = 0, uncalibrated_with_force = 0;
     };
-    Told told() const {
-        Told t;
+    Received received() const {
+        Received t;
         call<void(double*, double*, double*, int*, int*, int*)>("standin_read")(
             &t.position_mm.x, &t.force.x, &t.largest, &t.ticks, &t.disabled, &t.uncalibrated_with_force);
         return t;
@@ -81,7 +81,7 @@ TEST(DhdDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousand_
     auto device = open_dhd_device(test::built_standin("standin_dhd"));
     ASSERT_TRUE(device) << device.error().sentence();
     EXPECT_EQ((*device)->spec().name, "omega");
-    EXPECT_GT(dhd.told().watchdog, 0) << "the device's own, for when this process dies";
+    EXPECT_GT(dhd.received().watchdog, 0) << "the device's own, for when this process dies";
     dhd.push(-kPush, 0.0, 0.0);  // the hand pushes away from the person
     Vec3 force{0.0};
     for (int i = 0; i < 1000; ++i) {
@@ -93,8 +93,8 @@ TEST(DhdDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousand_
     EXPECT_NEAR((*device)->read(0.0).position_m.y, 0.01 + kPush / kStiffness, 1e-6);
     EXPECT_EQ((*device)->read(0.0).buttons, 2U);
     (*device)->close();
-    EXPECT_EQ(dhd.told().force, Vec3(0.0));
-    EXPECT_FALSE(dhd.told().open);
+    EXPECT_EQ(dhd.received().force, Vec3(0.0));
+    EXPECT_FALSE(dhd.received().open);
 }
 
 // Both makers' drivers must give x right, y forward and z up, for positions and for forces.
@@ -115,7 +115,7 @@ TEST(VendorDevices, right_forward_up_are_east_north_up_and_a_force_to_the_east_p
             const test::ThroughWorld through = test::through_world((*device)->spec(), seen.position_m, axis);
             test::expect_east_north_up(through, axis, 0.01, 1e-12);
             (*device)->write(through.command);
-            EXPECT_LT(glm::length(dhd.told().force - theirs * through.command.force_n[axis]), 1e-9) << axis;
+            EXPECT_LT(glm::length(dhd.received().force - theirs * through.command.force_n[axis]), 1e-9) << axis;
         }
         const Hd hd;
         auto device = open_hd_device(test::built_standin("standin_hd"));
@@ -132,7 +132,7 @@ TEST(VendorDevices, right_forward_up_are_east_north_up_and_a_force_to_the_east_p
         test::expect_east_north_up(through, axis, 0.01, 1e-9);
         (*device)->write(through.command);
         const Vec3 pushed = theirs * through.command.force_n[axis];
-        EXPECT_TRUE(eventually([&] { return glm::length(hd.told().force - pushed) < 1e-9; })) << axis;
+        EXPECT_TRUE(eventually([&] { return glm::length(hd.received().force - pushed) < 1e-9; })) << axis;
     }
 }
 
@@ -142,16 +142,16 @@ TEST(DhdDevice, gives_no_force_for_positions_that_are_not_numbers) {
     ASSERT_TRUE(device);
     (*device)->read(0.0);
     (*device)->write({{0.0, 2.0, 0.0}});
-    EXPECT_GT(glm::length(dhd.told().force), 1.9);
+    EXPECT_GT(glm::length(dhd.received().force), 1.9);
     dhd.nan(true);
     EXPECT_FALSE(is_finite((*device)->read(0.0).position_m)) << "the servo judges it";
     (*device)->write({{0.0, 2.0, 0.0}});
-    EXPECT_EQ(dhd.told().force, Vec3(0.0));
+    EXPECT_EQ(dhd.received().force, Vec3(0.0));
     for (const double odd : {std::nan(""), 1e300, 1e9}) {
         dhd.nan(false);
         (*device)->read(0.0);
         (*device)->write({{odd, 0.0, 0.0}});
-        EXPECT_LE(glm::length(dhd.told().force), (*device)->spec().peak_force_n * (1.0 + 1e-12));
+        EXPECT_LE(glm::length(dhd.received().force), (*device)->spec().peak_force_n * (1.0 + 1e-12));
     }
 }
 
@@ -174,7 +174,7 @@ TEST(VendorDevices, name_what_is_missing_in_one_sentence) {
     const auto strange = open_dhd_device(test::built_standin("standin_dhd"));
     ASSERT_FALSE(strange);
     EXPECT_THAT(strange.error().sentence(), testing::HasSubstr("999"));
-    EXPECT_FALSE(dhd.told().open);
+    EXPECT_FALSE(dhd.received().open);
     const Hd hd;
     hd.call<void(int)>("standin_present")(0);
     EXPECT_FALSE(open_hd_device(test::built_standin("standin_hd")));
@@ -201,10 +201,10 @@ TEST(HdDevice, rests_against_a_wall_at_the_exact_static_answer_with_calls_from_t
     }
     EXPECT_NEAR(y, 0.01 + kPush / kStiffness, 1e-5);
     EXPECT_GT(answers, 1000);
-    EXPECT_LE(hd.told().largest, 3.0 + 1e-9);
+    EXPECT_LE(hd.received().largest, 3.0 + 1e-9);
     (*device)->close();
-    EXPECT_EQ(hd.told().force, Vec3(0.0));
-    EXPECT_TRUE(hd.told().disabled);
+    EXPECT_EQ(hd.received().force, Vec3(0.0));
+    EXPECT_TRUE(hd.received().disabled);
 }
 
 TEST(HdDevice, gives_no_force_before_calibration_or_at_invalid_positions) {
@@ -216,14 +216,14 @@ TEST(HdDevice, gives_no_force_before_calibration_or_at_invalid_positions) {
     (*device)->write({{0.0, 1.0, 0.0}});
     std::this_thread::sleep_for(20ms);
     EXPECT_FALSE((*device)->read(0.0).homed);
-    EXPECT_EQ(hd.told().force, Vec3(0.0));
-    EXPECT_EQ(hd.told().uncalibrated_with_force, 0);
+    EXPECT_EQ(hd.received().force, Vec3(0.0));
+    EXPECT_EQ(hd.received().uncalibrated_with_force, 0);
     // Requests a calibration update, which the driver then performs.
     hd.call<void(unsigned)>("standin_calibration")(0x5001);
     EXPECT_TRUE(eventually([&] { return (*device)->read(0.0).homed; }));
-    EXPECT_TRUE(eventually([&] { return hd.told().force != Vec3(0.0); }));
+    EXPECT_TRUE(eventually([&] { return hd.received().force != Vec3(0.0); }));
     hd.nan(true);
-    EXPECT_TRUE(eventually([&] { return hd.told().force == Vec3(0.0); }));
+    EXPECT_TRUE(eventually([&] { return hd.received().force == Vec3(0.0); }));
 }
 
 TEST(HdDevice, a_force_error_of_the_library_disconnects_the_device_and_overheating_is_distinguished) {
@@ -237,7 +237,7 @@ TEST(HdDevice, a_force_error_of_the_library_disconnects_the_device_and_overheati
         EXPECT_TRUE(eventually([&] { return !(sample = (*device)->read(0.0)).connected; }));
         EXPECT_EQ(sample.hot, code == 0x0200U);
         EXPECT_EQ(sample.failed, code != 0x0200U);
-        EXPECT_TRUE(eventually([&] { return hd.told().force == Vec3(0.0); }));
+        EXPECT_TRUE(eventually([&] { return hd.received().force == Vec3(0.0); }));
     }
 }
 

@@ -158,14 +158,14 @@ TEST(Seams, get_the_same_verdict_from_neighbours_as_from_all_parts_in_any_order_
             back.add_fixed_box(boxes[boxes.size() - 1 - i]);
         }
         const auto scene = straight.build(), reversed = back.build();
-        for (int ask = 0; ask < 200; ++ask) {
+        for (int query = 0; query < 200; ++query) {
             const auto piece = static_cast<std::uint32_t>(unit() * 30.0);
             const DynamicsPiece& is = scene->building[piece];
             const Polygon& face = is.solid.faces[static_cast<std::size_t>(unit() * 6.0)];
             Vec3 at = face.points_m[0] + (face.points_m[1] - face.points_m[0]) * unit() +
                       (face.points_m[3] - face.points_m[0]) * unit();
             // Every third point is on an edge.
-            if (ask % 3 == 0) at = face.points_m[0] + (face.points_m[1] - face.points_m[0]) * unit();
+            if (query % 3 == 0) at = face.points_m[0] + (face.points_m[1] - face.points_m[0]) * unit();
             at += Vec3(unit() - 0.5, unit() - 0.5, unit() - 0.5) * 4e-3;
             const Vec3 normal = glm::normalize(Vec3(unit() - 0.5, unit() - 0.5, unit() - 0.5));
             const Vec3 body = at + Vec3(unit() - 0.5, unit() - 0.5, unit()) * 0.3;

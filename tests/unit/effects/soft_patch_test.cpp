@@ -290,7 +290,7 @@ TEST(SoftPatch, stops_at_its_hard_floor_and_leaves_everything_else_unchanged) {
         EXPECT_EQ(touch_tick(a, *soft, tuning, {0.1, 0.08, z}, 1e-3).soft, kNoFeature);
 }
 
-TEST(SoftPatch, survives_a_ball_larger_than_itself_at_any_place_and_step) {
+TEST(SoftPatch, survives_a_proxy_larger_than_itself_at_any_place_and_step) {
     for (const bool plastic : {false, true}) {
         SoftPatch patch = patch_of(plastic);
         patch.size_u_m = patch.size_v_m = 0.01;

@@ -114,7 +114,7 @@ void are_those_of_the_graph(const std::string& file, const Storey& storey, const
     Drawn drawn(storey, low, high);
     mend_openings(drawn.walls.ink, storey, drawn.on_paper, kLook);
     const OpeningCheck found = check_openings(drawn.walls.ink, storey, drawn.on_paper);
-    const auto told = [&](const char* what, const WrongOpening& wrong) {
+    const auto reported = [&](const char* what, const WrongOpening& wrong) {
         const Vec2 at = drawn.on_paper.world(wrong.at_mm);
         for (const int axis : {0, 1}) {
             const double rim_m = kRim_mm / kPerMetre_mm;
@@ -126,8 +126,8 @@ void are_those_of_the_graph(const std::string& file, const Storey& storey, const
                       << storey.rooms[wrong.rooms[0]].name << " and " << storey.rooms[wrong.rooms[1]].name << " "
                       << what << " at " << at.x << " " << at.y;
     };
-    for (const WrongOpening& wrong : found.lacking) told("lack their opening", wrong);
-    for (const WrongOpening& wrong : found.leaking) told("are open to each other", wrong);
+    for (const WrongOpening& wrong : found.lacking) reported("lack their opening", wrong);
+    for (const WrongOpening& wrong : found.leaking) reported("are open to each other", wrong);
 }
 
 void are_those_of_the_graph(const std::string& file) {

@@ -29,7 +29,7 @@ const NamedStoreys* storeys_of(const std::string& file) {
     const auto scene = read_world(path);
     if (!scene) return ADD_FAILURE() << scene.error().sentence(), &made;
     const WalkerMeasures body =
-        scene->game_map ? walk_body(*scene, 0.25, 1.7, 0.57) : walk_body(*scene, 0.25, 1.8, 0.25);
+        scene->game_map ? walker_measures(*scene, 0.25, 1.7, 0.57) : walker_measures(*scene, 0.25, 1.8, 0.25);
     const auto ways = Navigation::make(*scene, body);
     if (!ways) return ADD_FAILURE() << ways.error().sentence(), &made;
     const RoomGraph graph = make_rooms(*scene, (*ways)->space());

@@ -345,11 +345,11 @@ Storey many_rooms(int columns, int rows) {
 TEST(SwellSheets, state_that_one_is_not_enough_and_several_meet_all_requirements) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for our house";
     const Storey storey = many_rooms(16, 3);
-    const SheetWish wish{kA4, BrailleTable::EnUebG1};
-    const Result<SwellSheet> one = swell_sheet(storey, wish);
+    const SheetOptions options{kA4, BrailleTable::EnUebG1};
+    const Result<SwellSheet> one = swell_sheet(storey, options);
     ASSERT_TRUE(one);
     ASSERT_FALSE(one->broken.empty()) << "49 m across a sheet of 27 cm leave 16 mm to a room";
-    const Result<std::vector<SwellSheet>> sheets = swell_sheets(storey, wish);
+    const Result<std::vector<SwellSheet>> sheets = swell_sheets(storey, options);
     ASSERT_TRUE(sheets);
     ASSERT_GT(sheets->size(), 1U);
     EXPECT_LE(sheets->size(), 4U) << "no more than they need";
@@ -377,7 +377,7 @@ TEST(SwellSheets, state_that_one_is_not_enough_and_several_meet_all_requirements
             }
     }
     EXPECT_EQ(std::count(signs.begin(), signs.end(), 0), 0) << "every room has its sign on a sheet";
-    SheetWish coarse = wish;
+    SheetOptions coarse = options;
     coarse.coarse = true;
     EXPECT_TRUE(swell_sheet(storey, coarse)->broken.empty()) << "rooms under 6 square metres need none";
 }
@@ -548,10 +548,10 @@ TEST(SwellSheet, makes_doors_wide_enough_for_a_finger_and_reports_it) {
     const Vec2 door = on_sheet({6.1, 2.0});
     for (const double off : {-3.0, -1.5, 0.0, 1.5, 3.0}) EXPECT_FALSE(black_at(ink, door + Vec2(0.0, off))) << off;
     ASSERT_FALSE(sheet->simplified.empty());
-    bool told = false;
+    bool reported = false;
     for (const std::string& sentence : sheet->simplified)
-        told |= sentence == "One door is drawn wider, at 6.4 millimetres.";
-    EXPECT_TRUE(told);
+        reported |= sentence == "One door is drawn wider, at 6.4 millimetres.";
+    EXPECT_TRUE(reported);
 }
 
 TEST(SwellSheet, names_things_that_are_omitted_for_lack_of_space) {

@@ -3,7 +3,7 @@
 
 #include "app/core/context/touch_events.h"
 #include "app/core/movers/doors.h"
-#include "app/core/whereabouts/asking.h"
+#include "app/core/whereabouts/queries.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/names.h"
 #include "tests/unit/features/plain_session.h"
@@ -20,13 +20,13 @@ std::shared_ptr<const Scene> yard() {
 
 TEST(Events, arrive_once_and_in_order) {
     Events events;
-    events.tell(HelpRequested{Command::Exits}, 1.0);
-    events.tell(Teleported{{1.0, 2.0, 3.0}, 0.5}, 2.0);
-    const std::vector<SessionEvent> told = events.take();
-    ASSERT_EQ(told.size(), 2U);
-    EXPECT_EQ(told[0].time_s, 1.0);
-    EXPECT_EQ(std::get<HelpRequested>(told[0].what).command, Command::Exits);
-    EXPECT_EQ(std::get<Teleported>(told[1].what).feet_m, Vec3(1.0, 2.0, 3.0));
+    events.report(HelpRequested{Command::Exits}, 1.0);
+    events.report(Teleported{{1.0, 2.0, 3.0}, 0.5}, 2.0);
+    const std::vector<SessionEvent> reported = events.take();
+    ASSERT_EQ(reported.size(), 2U);
+    EXPECT_EQ(reported[0].time_s, 1.0);
+    EXPECT_EQ(std::get<HelpRequested>(reported[0].what).command, Command::Exits);
+    EXPECT_EQ(std::get<Teleported>(reported[1].what).feet_m, Vec3(1.0, 2.0, 3.0));
     EXPECT_TRUE(events.take().empty());
 }
 
@@ -34,10 +34,10 @@ TEST(Events, that_are_not_fetched_keep_only_the_newest) {
     Events events;
     const std::size_t more = 10;
     for (std::size_t i = 0; i < Events::kMost + more; ++i)
-        events.tell(RoomEntered{static_cast<std::uint32_t>(i), {}}, static_cast<double>(i));
-    const std::vector<SessionEvent> told = events.take();
-    ASSERT_EQ(told.size(), Events::kMost);
-    for (std::size_t i = 0; i < told.size(); ++i) ASSERT_EQ(std::get<RoomEntered>(told[i].what).room, i + more);
+        events.report(RoomEntered{static_cast<std::uint32_t>(i), {}}, static_cast<double>(i));
+    const std::vector<SessionEvent> reported = events.take();
+    ASSERT_EQ(reported.size(), Events::kMost);
+    for (std::size_t i = 0; i < reported.size(); ++i) ASSERT_EQ(std::get<RoomEntered>(reported[i].what).room, i + more);
 }
 
 TEST(Events, report_a_touch_only_when_the_touched_thing_changes) {
@@ -55,10 +55,10 @@ TEST(Events, report_a_touch_only_when_the_touched_thing_changes) {
     feel(plain.hands.left_tool, FeatureId{3});
     feel(plain.hands.tool, kNoFeature);
     feel(plain.hands.tool, FeatureId{3});
-    const std::vector<SessionEvent> told = plain.events.take();
-    ASSERT_EQ(told.size(), 3U) << "once each hand, and again after letting go";
+    const std::vector<SessionEvent> reported = plain.events.take();
+    ASSERT_EQ(reported.size(), 3U) << "once each hand, and again after letting go";
     for (const std::size_t i : {0U, 1U, 2U}) {
-        const auto& touched = std::get<Touched>(told[i].what);
+        const auto& touched = std::get<Touched>(reported[i].what);
         EXPECT_EQ(touched.feature, FeatureId{3});
         EXPECT_EQ(touched.left, i == 1);
         EXPECT_EQ(touched.force_n, 1.5);
@@ -68,20 +68,20 @@ TEST(Events, report_a_touch_only_when_the_touched_thing_changes) {
 TEST(Events, report_requested_help_and_no_other_command) {
     test::PlainSession plain(yard());
     Rooms rooms(plain.context);
-    Asking asking(plain.context, rooms);
+    Queries queries(plain.context, rooms);
     rooms.enter_world(plain.as_read);
     rooms.tick(0.0);
-    EXPECT_TRUE(asking.act(Command::Heading, 1.0));
-    EXPECT_FALSE(asking.act(Command::Use, 2.0));
+    EXPECT_TRUE(queries.act(Command::Heading, 1.0));
+    EXPECT_FALSE(queries.act(Command::Use, 2.0));
     EXPECT_TRUE(rooms.act(Command::Exits, 3.0));
-    std::vector<Command> asked;
+    std::vector<Command> requested;
     std::vector<double> at_s;
     for (const SessionEvent& event : plain.events.take())
         if (const auto* help = std::get_if<HelpRequested>(&event.what)) {
-            asked.push_back(help->command);
+            requested.push_back(help->command);
             at_s.push_back(event.time_s);
         }
-    EXPECT_THAT(asked, testing::ElementsAre(Command::Heading, Command::Exits));
+    EXPECT_THAT(requested, testing::ElementsAre(Command::Heading, Command::Exits));
     EXPECT_THAT(at_s, testing::ElementsAre(1.0, 3.0));
 }
 

@@ -3,7 +3,7 @@
 
 #include "app/core/movers/doors.h"
 #include "app/core/movers/triggers.h"
-#include "app/core/whereabouts/asking.h"
+#include "app/core/whereabouts/queries.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/names.h"
 #include "tests/unit/features/plain_session.h"
@@ -28,19 +28,19 @@ std::shared_ptr<const Scene> yard() {
 TEST(Features, answer_ahead_of_me_without_a_full_session) {
     test::PlainSession plain(yard());
     Rooms rooms(plain.context);
-    Asking asking(plain.context, rooms);
-    EXPECT_TRUE(asking.act(Command::AheadOfMe, 0.0));
+    Queries queries(plain.context, rooms);
+    EXPECT_TRUE(queries.act(Command::AheadOfMe, 0.0));
     EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("illar")));
-    plain.body.heading_rad = plain.body.heading_goal_rad = kPi;
-    EXPECT_TRUE(asking.act(Command::Heading, 0.0));
+    plain.avatar.heading_rad = plain.avatar.heading_goal_rad = kPi;
+    EXPECT_TRUE(queries.act(Command::Heading, 0.0));
     EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("south")));
-    EXPECT_FALSE(asking.act(Command::Use, 0.0)) << "another's command";
+    EXPECT_FALSE(queries.act(Command::Use, 0.0)) << "another's command";
     EXPECT_THAT(plain.said(), IsEmpty());
 }
 
 TEST(Features, use_nothing_if_nothing_is_in_reach) {
     test::PlainSession plain(yard());
-    Doors doors(plain.context, plain.world, plain.body);
+    Doors doors(plain.context, plain.world, plain.avatar);
     EXPECT_TRUE(doors.act(Command::Use, 0.0));
     EXPECT_EQ(plain.said().size(), 1U);
     EXPECT_FALSE(doors.act(Command::Exits, 0.0)) << "another's command";
@@ -53,12 +53,12 @@ TEST(Features, announce_a_liquid_once_each_time_the_body_enters_it) {
     triggers.tick(0.0);
     EXPECT_THAT(plain.said(), IsEmpty());
     for (int time = 0; time < 2; ++time) {
-        plain.body.walker->place({0.0, 2.5, 0.0});
+        plain.avatar.walker->place({0.0, 2.5, 0.0});
         triggers.tick(1.0);
         EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("ool")));
         triggers.tick(1.1);
         EXPECT_THAT(plain.said(), IsEmpty()) << "still in it";
-        plain.body.walker->place({0.0, 0.0, 0.0});
+        plain.avatar.walker->place({0.0, 0.0, 0.0});
         triggers.tick(2.0);
         EXPECT_THAT(plain.said(), IsEmpty());
     }

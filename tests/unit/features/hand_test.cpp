@@ -53,7 +53,7 @@ struct WithHand {
 
     test::PlainSession plain;
     HeldKeys keys;
-    TouchView touch{plain.context, plain.world, plain.body, plain.hands};
+    TouchView touch{plain.context, plain.world, plain.avatar, plain.hands};
     Workspace workspace{plain.context, plain.hands, keys, touch};
     Forces forces{plain.context, plain.hands};
 };
@@ -94,26 +94,26 @@ TEST(TouchViewFeature, keeps_the_old_felt_scene_until_the_new_one_is_adopted) {
 
 TEST(TouchViewFeature, requests_openings_again_that_were_not_known_yet) {
     WithHand one;
-    int asked = 0;
+    int queries = 0;
     bool awaited = true;
     one.touch.openings = [&] {
-        ++asked;
+        ++queries;
         return KnownOpenings{{}, awaited};
     };
     one.plain.person.settings.workspace.scale = 400.0;
     one.enter();
-    ASSERT_GT(asked, 0);
+    ASSERT_GT(queries, 0);
     one.touch.take_made(0.5);
-    const int before = asked;
+    const int before = queries;
     one.touch.widen_openings(false);
-    EXPECT_EQ(asked, before) << "nobody has found the rooms yet";
+    EXPECT_EQ(queries, before) << "nobody has found the rooms yet";
     awaited = false;
     one.touch.widen_openings(true);
-    EXPECT_GT(asked, before);
+    EXPECT_GT(queries, before);
     EXPECT_FALSE(one.touch.take_made(1.0)) << "there were none, so nothing is felt otherwise";
-    const int after = asked;
+    const int after = queries;
     one.touch.widen_openings(true);
-    EXPECT_EQ(asked, after) << "they are known now";
+    EXPECT_EQ(queries, after) << "they are known now";
 }
 
 TEST(WorkspaceFeature, keeps_the_place_under_the_hand_when_the_scale_changes) {
@@ -216,14 +216,14 @@ TEST(ForcesFeature, accept_an_offered_device_with_the_same_key) {
 TEST(ForcesFeature, suggest_a_break_after_every_quarter_hour_of_touching_with_any_device) {
     WithHand one;
     one.plain.hands.tool.contact_s = 10.0 * 60.0;
-    one.forces.tell_break(1.0);
+    one.forces.announce_break(1.0);
     EXPECT_THAT(one.plain.said(), IsEmpty());
     one.forces.take(one.plain.hands.right);
     EXPECT_EQ(one.plain.hands.tool.contact_s, 0.0);
     one.plain.hands.tool.contact_s = 6.0 * 60.0;
-    one.forces.tell_break(2.0);
+    one.forces.announce_break(2.0);
     EXPECT_EQ(one.plain.said().size(), 1U) << "sixteen minutes with both";
-    one.forces.tell_break(3.0);
+    one.forces.announce_break(3.0);
     EXPECT_THAT(one.plain.said(), IsEmpty());
 }
 

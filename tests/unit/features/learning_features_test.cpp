@@ -50,7 +50,7 @@ struct Learner : test::PlainSession {
     void walk_east(bool trails, double& now_s) {
         for (double x = 0.3; x < 9.8; x += 0.1, now_s += 0.1) {
             stand({x, 0.35, 0.0});
-            body.walker->tick(Vec3(0.0), 0.1);
+            avatar.walker->tick(Vec3(0.0), 0.1);
             learning.note(std::nullopt, trails ? std::optional(Vec3(0.0, 1.0, 0.0)) : std::nullopt, now_s);
             learning.tick(now_s);
         }
@@ -142,7 +142,7 @@ struct Hunter : test::PlainSession {
     std::optional<Vec3> clock_m() {
         std::vector<CueRequest> sounding;
         Soundscape ears = soundscape;
-        for (int tick = 0; tick < 40; ++tick) ears.tick(*world.solids, body.ears_m(), 0.1 * tick, sounding);
+        for (int tick = 0; tick < 40; ++tick) ears.tick(*world.solids, avatar.ears_m(), 0.1 * tick, sounding);
         for (const CueRequest& cue : sounding)
             if (cue.sound == SoundKind::HiddenClock && cue.loudness > 0.0) return cue.position_m;
         return std::nullopt;
@@ -165,7 +165,7 @@ TEST(ClockHuntFeature, hides_a_ticking_clock_gives_hints_and_notices_when_it_is_
     EXPECT_TRUE(hunter.hunt.act(Command::Hunt, 1.0));
     EXPECT_THAT(hunter.said(), ElementsAre(HasSubstr("A clock is hidden")));
     ASSERT_TRUE(hunter.clock_m());
-    EXPECT_GT(glm::length(*hunter.clock_m() - hunter.body.feet_m()), 5.0);
+    EXPECT_GT(glm::length(*hunter.clock_m() - hunter.avatar.feet_m()), 5.0);
     hunter.hunt.tick(2.0);
     EXPECT_THAT(hunter.said(), IsEmpty()) << "it is far off";
     EXPECT_TRUE(hunter.hunt.act(Command::Hunt, 3.0));

@@ -47,25 +47,25 @@ std::shared_ptr<const Scene> hall() {
 struct Session : test::PlainSession {
     explicit Session(const std::filesystem::path& world_file) : PlainSession(hall()) {
         additions = SideFile::of_world(world_file, {});
-        state_asks();
+        set_session_requests();
         rooms.enter_world(as_read);
         rooms.tick(0.0);
         learning.enter_world(0.0);
-        learning.tell_kept(0.0);
-        events.on_told = [this](const SessionEvent& event) { ways.see(event); };
+        learning.announce_kept(0.0);
+        events.on_reported = [this](const SessionEvent& event) { ways.see(event); };
     }
-    void state_asks() {
-        context.asks.save_additions = [this](double) {
+    void set_session_requests() {
+        context.session_requests.save_additions = [this](double) {
             const auto saved = additions.save();
             EXPECT_TRUE(saved) << saved.error().sentence();
             return saved.has_value();
         };
     }
     void go(const Vec3& to_m) {
-        while (glm::length(to_m - body.feet_m()) > 0.05) {
-            const Vec3 way = to_m - body.feet_m();
-            stand(body.feet_m() + way * std::min(1.0, 0.1 / glm::length(way)));
-            body.walker->tick(Vec3(0.0), 0.05);
+        while (glm::length(to_m - avatar.feet_m()) > 0.05) {
+            const Vec3 way = to_m - avatar.feet_m();
+            stand(avatar.feet_m() + way * std::min(1.0, 0.1 / glm::length(way)));
+            avatar.walker->tick(Vec3(0.0), 0.05);
             tick();
         }
     }
@@ -78,7 +78,7 @@ struct Session : test::PlainSession {
     void trail_south() {
         for (double x = 0.3; x < 4.6; x += 0.1) {
             stand({x, 0.35, 0.0});
-            body.walker->tick(Vec3(0.0), 0.1);
+            avatar.walker->tick(Vec3(0.0), 0.1);
             tick(Vec3(0.0, 1.0, 0.0));
         }
     }
@@ -166,7 +166,7 @@ TEST(LearnPlaceMode, leads_back_to_the_base_after_each_wall_and_onwards_from_the
     EXPECT_TRUE(session.learning.act(Command::LearnPlace, session.now_s));
     for (double y = 0.3; y < 5.8; y += 0.1) {
         session.stand({0.35, y, 0.0});
-        session.body.walker->tick(Vec3(0.0), 0.1);
+        session.avatar.walker->tick(Vec3(0.0), 0.1);
         session.tick(Vec3(1.0, 0.0, 0.0));
     }
     for (int i = 0; i < 12; ++i) session.go({0.5 + 0.1 * (i % 2), 5.0, 0.0});
@@ -175,12 +175,12 @@ TEST(LearnPlaceMode, leads_back_to_the_base_after_each_wall_and_onwards_from_the
     EXPECT_THAT(session.said(), ElementsAre(AllOf(HasSubstr("Back at the base."), HasSubstr("Unexplored"))));
 }
 
-TEST(LearnPlaceMode, asks_for_directions_of_things_relative_to_the_base) {
+TEST(LearnPlaceMode, queries_directions_of_things_relative_to_the_base) {
     const test::TemporaryFolder folder;
     Session session(folder.write("hall.map", "x"));
     ASSERT_TRUE(session.rooms.have(0.0));
     const auto questions =
-        relation_questions(session.context, session.rooms, session.rooms.here(), session.body.feet_m());
+        relation_questions(session.context, session.rooms, session.rooms.here(), session.avatar.feet_m());
     ASSERT_EQ(questions.size(), 2U);
     EXPECT_EQ(questions[0].thing, "Clock");
     EXPECT_EQ(questions[0].right, Quarter::Ahead) << "north of the base";
@@ -285,12 +285,12 @@ TEST_F(Remembered, a_premature_turn_is_announced_on_the_next_guidance_until_it_i
     {
         Session first(world);
         ASSERT_TRUE(first.rooms.have(0.0));
-        first.events.tell(Led{"library", LedBy::Ear}, 0.0);
+        first.events.report(Led{"library", LedBy::Ear}, 0.0);
         first.tick();
         EXPECT_THAT(first.said(), IsEmpty());
         for (const Vec3& at : {Vec3(4.0, 1.6, 0.0), Vec3(4.5, 4.6, 0.0), Vec3(5.5, 4.6, 0.0), Vec3(9.0, 1.0, 0.0)})
             first.go(at);
-        first.events.tell(Arrived{"library", LedBy::Ear, false}, first.now_s);
+        first.events.report(Arrived{"library", LedBy::Ear, false}, first.now_s);
         first.tick();
     }
     EXPECT_THAT(test::content_of(file), HasSubstr("early = 1"));
@@ -298,15 +298,15 @@ TEST_F(Remembered, a_premature_turn_is_announced_on_the_next_guidance_until_it_i
         Session second(world);
         ASSERT_TRUE(second.rooms.have(0.0));
         second.said();
-        second.events.tell(Led{"library", LedBy::Ear}, 0.0);
+        second.events.report(Led{"library", LedBy::Ear}, 0.0);
         second.tick();
         EXPECT_THAT(second.said(), ElementsAre(HasSubstr("Earlier, you turned too soon once at")));
         second.tick();
         EXPECT_THAT(second.said(), IsEmpty()) << "told once";
-        const Route right = second.rooms.navigation().plan(second.body.feet_m(), {9.0, 1.0, 0.0});
+        const Route right = second.rooms.navigation().plan(second.avatar.feet_m(), {9.0, 1.0, 0.0});
         ASSERT_TRUE(right.reaches);
         for (const Vec3& at : right.points_m) second.go(at);
-        second.events.tell(Arrived{"library", LedBy::Ear, false}, second.now_s);
+        second.events.report(Arrived{"library", LedBy::Ear, false}, second.now_s);
         second.tick();
     }
     EXPECT_THAT(test::content_of(file), Not(HasSubstr("early")));

@@ -30,8 +30,9 @@ std::shared_ptr<const Scene> room() {
 class LessonsAlone : public ::testing::Test {
 protected:
     LessonsAlone() {
-        plain.context.asks.perform = [this](Command command, double) { performed.push_back(command); };
-        plain.context.asks.set = [this](std::string_view key, const std::string& value, double) -> Result<void> {
+        plain.context.session_requests.perform = [this](Command command, double) { performed.push_back(command); };
+        plain.context.session_requests.set = [this](std::string_view key, const std::string& value,
+                                                    double) -> Result<void> {
             kept[std::string(key)] = value;
             return {};
         };
@@ -51,8 +52,8 @@ protected:
     void key(std::string_view name) { plain.lists.dialogue.key(name, now_s); }
 
     test::PlainSession plain{room()};
-    LeaveRequested asked_to_leave;
-    LessonSession lessons{plain.context, asked_to_leave};
+    LeaveRequested leave_requested;
+    LessonSession lessons{plain.context, leave_requested};
     std::vector<Command> performed;
     std::map<std::string, std::string> kept;
     bool beacon = false, there = false;
@@ -91,9 +92,9 @@ TEST_F(LessonsAlone, end_when_leave_is_repeated_within_five_seconds) {
     EXPECT_TRUE(lessons.takes(Command::Leave, 18.0));
     EXPECT_THAT(kept, Contains(Pair("welcome.done", "true")));
     EXPECT_FALSE(lessons.takes(Command::Leave, 19.0)) << "there is no lesson any more";
-    EXPECT_FALSE(asked_to_leave.lately(19.0)) << "leaving the program is another matter";
+    EXPECT_FALSE(leave_requested.lately(19.0)) << "leaving the program is another matter";
 
-    asked_to_leave.at_s = 20.0;
+    leave_requested.at_s = 20.0;
     lessons.act(Command::FirstMinutes, 21.0);
     lessons.takes(Command::Use, 21.0);
     tick();

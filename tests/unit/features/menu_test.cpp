@@ -32,7 +32,7 @@ class MenuAlone : public ::testing::Test {
 protected:
     MenuAlone() {
         plain.context.tick_s = 1.0;
-        plain.context.asks.perform = [this](Command command, double) { performed.push_back(command); };
+        plain.context.session_requests.perform = [this](Command command, double) { performed.push_back(command); };
     }
     // Returns the list's answer to a key, which a session would announce.
     std::string key(std::string_view name) { return plain.lists.dialogue.key(name, 1.0).words; }

@@ -31,7 +31,7 @@ std::shared_ptr<const Scene> yard() {
 
 struct Place : test::PlainSession {
     Place() : PlainSession(yard()) {
-        context.asks.save_additions = [this](double) {
+        context.session_requests.save_additions = [this](double) {
             ++saved;
             return saves;
         };
@@ -69,7 +69,7 @@ TEST(MarkListFeature, sets_names_and_deletes_marks_and_saves_each_change) {
     EXPECT_EQ(m.saved, 2);
     ASSERT_EQ(m.world.marks.size(), 1U);
     EXPECT_EQ(m.world.marks[0].name, "My place");
-    EXPECT_EQ(m.world.marks[0].place_m, m.body.feet_m());
+    EXPECT_EQ(m.world.marks[0].place_m, m.avatar.feet_m());
     std::vector<Error> faults;
     EXPECT_EQ(read_marks(m.additions, faults).size(), 1U) << "they are among what is saved";
 
@@ -184,7 +184,7 @@ TEST(MarkListFeature, lists_the_marks_below_the_rows_of_other_features) {
     (void)m.line("down");
     (void)m.line("enter");
     ASSERT_TRUE(found);
-    EXPECT_EQ(found->box_m.min_m, m.body.feet_m());
+    EXPECT_EQ(found->box_m.min_m, m.avatar.feet_m());
 }
 
 TEST(MarkListFeature, reports_invalid_marks_of_the_file_once) {
@@ -197,9 +197,9 @@ TEST(MarkListFeature, reports_invalid_marks_of_the_file_once) {
     m.marks.enter_world();
     ASSERT_EQ(m.world.marks.size(), 1U);
     EXPECT_EQ(m.world.marks[0].name, "Well");
-    m.marks.tell_faults(0.0);
+    m.marks.announce_faults(0.0);
     EXPECT_THAT(m.said(), ElementsAre(HasSubstr("the mark Nowhere needs place_m")));
-    m.marks.tell_faults(0.1);
+    m.marks.announce_faults(0.1);
     EXPECT_THAT(m.said(), IsEmpty());
 }
 
@@ -207,16 +207,16 @@ struct Keeper : Place {
     Keeper() { ways.enter_world(0.0); }
     // Walks 6 m east from the base and saves the route under `name`.
     void keep(const std::string& name) {
-        for (double x = 0.0; x <= 6.0; x += 0.25) body.crumbs_m.emplace_back(x, 0.0, 0.0);
+        for (double x = 0.0; x <= 6.0; x += 0.25) avatar.crumbs_m.emplace_back(x, 0.0, 0.0);
         stand({6.0, 0.0, 0.0});
-        EXPECT_TRUE(ways.act(Command::KeepWay, 1.0));
+        EXPECT_TRUE(ways.act(Command::KeepRoute, 1.0));
         EXPECT_THAT(items(), ElementsAre("Everything you walked here", "Begin a route here"));
         (void)line("Everything you walked here");
         EXPECT_THAT(line(name), ElementsAre("Route " + name + " kept"));
-        body.crumbs_m.clear();
+        avatar.crumbs_m.clear();
     }
     void choose(const std::string& way) {
-        EXPECT_TRUE(ways.act(Command::Ways, 2.0));
+        EXPECT_TRUE(ways.act(Command::KeptRoutes, 2.0));
         (void)said();
         (void)line(way);
     }
@@ -224,14 +224,14 @@ struct Keeper : Place {
     KeptRoutes ways{context, rooms, planned};
 };
 
-TEST(KeptWaysFeature, save_a_walked_route_under_its_own_name) {
+TEST(KeptRoutesFeature, save_a_walked_route_under_its_own_name) {
     Keeper k;
-    EXPECT_TRUE(k.ways.act(Command::Ways, 0.0));
+    EXPECT_TRUE(k.ways.act(Command::KeptRoutes, 0.0));
     EXPECT_THAT(k.said(), ElementsAre(HasSubstr("You have not kept a route here yet")));
     k.keep("To the east");
     EXPECT_EQ(k.saved, 1);
     std::vector<Error> faults;
-    const std::vector<SavedRoute> kept = read_ways(k.additions, faults);
+    const std::vector<SavedRoute> kept = read_saved_routes(k.additions, faults);
     ASSERT_EQ(kept.size(), 1U);
     EXPECT_LT(glm::length(kept[0].stops.back().place_m - Vec3(6.0, 0.0, 0.0)), 0.3);
     k.choose("To the east");
@@ -239,12 +239,12 @@ TEST(KeptWaysFeature, save_a_walked_route_under_its_own_name) {
     EXPECT_THAT(k.line("East"), ElementsAre("East"));
     k.choose("East");
     EXPECT_THAT(k.line("Delete it"), ElementsAre("Route East deleted"));
-    EXPECT_THAT(read_ways(k.additions, faults), IsEmpty());
+    EXPECT_THAT(read_saved_routes(k.additions, faults), IsEmpty());
     EXPECT_EQ(k.saved, 3);
     EXPECT_FALSE(k.ways.act(Command::Routes, 3.0)) << "another's command";
 }
 
-TEST(KeptWaysFeature, are_called_saved_only_if_they_are_on_the_disk) {
+TEST(KeptRoutesFeature, are_called_saved_only_if_they_are_on_the_disk) {
     Keeper k;
     k.keep("To the east");
     k.saves = false;
@@ -257,7 +257,7 @@ TEST(KeptWaysFeature, are_called_saved_only_if_they_are_on_the_disk) {
     EXPECT_THAT(k.line("Delete it"), ElementsAre("Not saved yet: Route East deleted"));
 }
 
-TEST(KeptWaysFeature, pass_their_stops_to_the_wayfinding) {
+TEST(KeptRoutesFeature, pass_their_stops_to_the_wayfinding) {
     Keeper k;
     std::vector<Stop> gone;
     bool by_hand = false;
@@ -280,43 +280,43 @@ TEST(KeptWaysFeature, pass_their_stops_to_the_wayfinding) {
     EXPECT_THAT(k.line("Hear it"), ElementsAre(AllOf(HasSubstr("East. From "), HasSubstr("in all."))));
 }
 
-TEST(KeptWaysFeature, offer_to_save_a_planned_route_with_two_stops) {
+TEST(KeptRoutesFeature, offer_to_save_a_planned_route_with_two_stops) {
     Keeper k;
     ASSERT_TRUE(k.rooms.known());
     k.planned.note({.name = "Fountain", .place_m = {5.5, 4.0, 0.0}, .thing = {}, .room = {}, .kept = {}}, {0, 0, 0});
-    EXPECT_TRUE(k.ways.act(Command::KeepWay, 1.0));
+    EXPECT_TRUE(k.ways.act(Command::KeepRoute, 1.0));
     EXPECT_THAT(k.items(), ElementsAre("The route you planned last", "Begin a route here"));
 }
 
-TEST(KeptWaysFeature, follow_a_renamed_room_and_reload_what_another_session_wrote) {
+TEST(KeptRoutesFeature, follow_a_renamed_room_and_reload_what_another_session_wrote) {
     Keeper k;
     const Stop here{.name = "Door", .place_m = {0.0, 0.0, 0.0}, .thing = {}, .room = "Old yard", .kept = {}},
         there{.name = "Gate", .place_m = {4.0, 0.0, 0.0}, .thing = {}, .room = "Street", .kept = {}};
-    write_ways(k.additions, {{"Out", {here, there}, {}, {}}});
+    write_saved_routes(k.additions, {{"Out", {here, there}, {}, {}}});
     k.ways.follow_room_name("old yard", "Court");
     std::vector<Error> faults;
-    EXPECT_EQ(read_ways(k.additions, faults)[0].stops[0].room, "Old yard") << "it knows nothing of them yet";
+    EXPECT_EQ(read_saved_routes(k.additions, faults)[0].stops[0].room, "Old yard") << "it knows nothing of them yet";
     k.ways.take_again();
     k.ways.follow_room_name("", "Nothing");
     k.ways.follow_room_name("old yard", "Court");
-    EXPECT_EQ(read_ways(k.additions, faults)[0].stops[0].room, "Court");
-    EXPECT_EQ(read_ways(k.additions, faults)[0].stops[1].room, "Street");
+    EXPECT_EQ(read_saved_routes(k.additions, faults)[0].stops[0].room, "Court");
+    EXPECT_EQ(read_saved_routes(k.additions, faults)[0].stops[1].room, "Street");
     EXPECT_EQ(k.saved, 0) << "who renames a room saves";
 }
 
-TEST(KeptWaysFeature, report_which_routes_no_longer_fit_once_the_rooms_are_known) {
+TEST(KeptRoutesFeature, report_which_routes_no_longer_fit_once_the_rooms_are_known) {
     Keeper k;
     const Stop here{.name = "Base", .place_m = {0.0, 0.0, 0.0}, .thing = {}, .room = {}, .kept = {}},
         there{.name = "Statue", .place_m = {4.0, 0.0, 0.0}, .thing = "statue", .room = {}, .kept = {}};
-    write_ways(k.additions, {{"To the statue", {here, there}, "0badf00d", {}}});
+    write_saved_routes(k.additions, {{"To the statue", {here, there}, "0badf00d", {}}});
     k.ways.enter_world(0.0);
     EXPECT_TRUE(k.rooms.found()) << "a doubtful way is the reason to look for rooms";
     (void)k.said();
-    k.ways.tell_unfit(1.0);
+    k.ways.announce_unfit(1.0);
     EXPECT_THAT(k.said(), ElementsAre(AllOf(HasSubstr("1 of 1 no longer fits"), HasSubstr("Statue no longer exists"))));
     k.choose("To the statue");
     EXPECT_THAT(k.line("Save it for this version of the world"), ElementsAre("Route To the statue kept"));
-    k.ways.tell_unfit(3.0);
+    k.ways.announce_unfit(3.0);
     EXPECT_THAT(k.said(), IsEmpty());
 }
 

@@ -27,12 +27,12 @@ struct PlainSession : SessionState {
         world.things.enter(*world.scene, *haptic, {}, 0.0);
         world.movers.enter(world.scene->movers);
         world.solids = std::move(entering.body);
-        body.walker =
-            std::make_unique<Walker>(*world.solids, body_size(*world.scene, person.settings.walk.body_radius_m));
-        body.walker->place(entering.feet_m);
-        body.heading_rad = body.heading_goal_rad = entering.heading_rad;
-        world.home_feet_m = body.feet_m();
-        context.asks.set = [this](std::string_view key, const std::string& value, double) {
+        avatar.walker =
+            std::make_unique<Walker>(*world.solids, walker_size(*world.scene, person.settings.walk.body_radius_m));
+        avatar.walker->place(entering.feet_m);
+        avatar.heading_rad = avatar.heading_goal_rad = entering.heading_rad;
+        world.home_feet_m = avatar.feet_m();
+        context.session_requests.set = [this](std::string_view key, const std::string& value, double) {
             const auto set = change_setting(person.settings, key, value);
             person.keys = KeyMap(person.settings.keys, person.settings.keyboard.hand);
             return set;
@@ -47,12 +47,12 @@ struct PlainSession : SessionState {
     }
     // Returns how often the features requested the sound since the last call of this function or of said().
     std::size_t heard(SoundKind kind) {
-        const std::vector<CueRequest> asked = cues.take();
-        return static_cast<std::size_t>(std::count_if(asked.begin(), asked.end(), [&](const CueRequest& cue) {
+        const std::vector<CueRequest> requested = cues.take();
+        return static_cast<std::size_t>(std::count_if(requested.begin(), requested.end(), [&](const CueRequest& cue) {
             return cue.kind == CueRequestKind::Play && cue.sound == kind;
         }));
     }
-    void stand(const Vec3& feet_m) { body.walker->place(feet_m); }
+    void stand(const Vec3& feet_m) { avatar.walker->place(feet_m); }
 
     std::shared_ptr<const Scene> as_read;
     std::shared_ptr<const HapticScene> haptic;

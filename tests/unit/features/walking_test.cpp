@@ -32,12 +32,12 @@ std::shared_ptr<const Scene> terrace() {
 
 struct OnFoot {
     explicit OnFoot(std::shared_ptr<const Scene> scene = terrace()) : plain(std::move(scene)) {
-        plain.context.asks.place = [this](const Vec3& feet_m, double heading_rad, double) {
+        plain.context.session_requests.place = [this](const Vec3& feet_m, double heading_rad, double) {
             walking.set_down(feet_m, heading_rad);
         };
         by_ear.where_am_i = [] { return std::string("here"); };
         walking.on_bumped = [this](FeatureId feature, double) { bumped.push_back(feature); };
-        plain.context.asks.move_base = [this](const Vec3& feet_m, double heading_rad) {
+        plain.context.session_requests.move_base = [this](const Vec3& feet_m, double heading_rad) {
             plain.world.home_feet_m = feet_m;
             plain.world.home_heading_rad = heading_rad;
         };
@@ -54,13 +54,13 @@ struct OnFoot {
         EXPECT_TRUE(walking.act(command, now_s));
         settle();
     }
-    const Vec3& feet_m() const { return plain.body.feet_m(); }
+    const Vec3& feet_m() const { return plain.avatar.feet_m(); }
 
     test::PlainSession plain;
     HeldKeys keys;
-    ByEar by_ear{plain.context, plain.body, keys};
-    Footing footing{plain.context, plain.body};
-    Walking walking{plain.context, plain.body, keys, by_ear, footing};
+    ByEar by_ear{plain.context, plain.avatar, keys};
+    Footing footing{plain.context, plain.avatar};
+    Walking walking{plain.context, plain.avatar, keys, by_ear, footing};
     std::vector<FeatureId> bumped;
     double now_s = 0.0;
 };
@@ -88,7 +88,7 @@ TEST(WalkingFeature, takes_one_audible_step_per_tap) {
     EXPECT_NEAR(one.feet_m().y, one.plain.person.settings.walk.step_length_m, 1e-6);
     EXPECT_EQ(count_of(one.plain.cues.take(), CueRequestKind::Footstep), 1);
     one.tap(Command::TurnRight);
-    EXPECT_NEAR(one.plain.body.heading_rad, radians_from_degrees(one.plain.person.settings.walk.turn_deg), 1e-9);
+    EXPECT_NEAR(one.plain.avatar.heading_rad, radians_from_degrees(one.plain.person.settings.walk.turn_deg), 1e-9);
     EXPECT_FALSE(one.walking.act(Command::Use, one.now_s)) << "another's command";
     EXPECT_EQ(one.walking.path_m().size(), 3U) << "a point for each quarter of a metre";
 }
@@ -112,7 +112,7 @@ TEST(WalkingFeature, treats_invalid_numbers_as_a_stick_at_rest) {
     one.walking.steer({std::numeric_limits<double>::quiet_NaN(), 0.0, std::numeric_limits<double>::infinity()});
     for (int i = 0; i < 60; ++i) one.tick();
     EXPECT_EQ(one.feet_m().y, 0.0);
-    EXPECT_EQ(one.plain.body.heading_rad, 0.0);
+    EXPECT_EQ(one.plain.avatar.heading_rad, 0.0);
     one.walking.steer({2.0, 0.0, 0.0});
     for (int i = 0; i < 60; ++i) one.tick();
     EXPECT_NEAR(one.feet_m().y, one.plain.person.settings.walk.speed_m_per_s, 1e-6) << "never faster than a key";
@@ -126,14 +126,14 @@ TEST(WalkingFeature, stops_at_an_edge_until_the_key_is_pressed_again) {
     one.keys.press(Command::Forward);
     for (int i = 0; i < 120; ++i) one.tick();
     EXPECT_GT(one.feet_m().y, -10.1);
-    EXPECT_TRUE(one.plain.body.walker->state().on_ground);
+    EXPECT_TRUE(one.plain.avatar.walker->state().on_ground);
     EXPECT_THAT(one.plain.said(), ::testing::Contains(phrase("walking.edge_very_deep")));
     one.tick();
     EXPECT_THAT(one.plain.said(), IsEmpty()) << "told once for a press";
     one.keys.release_all();
     EXPECT_TRUE(one.walking.act(Command::Forward, one.now_s));
     for (int i = 0; i < 60; ++i) one.tick();
-    EXPECT_FALSE(one.plain.body.walker->state().on_ground) << "asked for twice";
+    EXPECT_FALSE(one.plain.avatar.walker->state().on_ground) << "asked for twice";
 }
 
 // While this object exists, the session addresses a person who types lines.
@@ -145,7 +145,7 @@ struct ByLines {
 };
 
 // Returns the announcements about steps, including those about blocked steps.
-std::vector<std::string> told(OnFoot& one) {
+std::vector<std::string> reported(OnFoot& one) {
     std::vector<std::string> words;
     for (CueRequest& cue : one.plain.cues.take())
         if (cue.kind == CueRequestKind::Say || cue.kind == CueRequestKind::Bump) words.push_back(std::move(cue.text));
@@ -171,7 +171,7 @@ TEST(WalkingFeature, treats_a_counted_step_command_as_one_request_at_an_edge) {
     one.walking.set_down({0.0, -9.0, 0.0}, kPi);
     EXPECT_TRUE(one.walking.act(Command::Forward, one.now_s, 12));
     one.settle();
-    EXPECT_TRUE(one.plain.body.walker->state().on_ground) << "the other eleven do not ask a second time";
+    EXPECT_TRUE(one.plain.avatar.walker->state().on_ground) << "the other eleven do not ask a second time";
     EXPECT_GT(one.feet_m().y, -10.3);
 }
 
@@ -180,20 +180,20 @@ TEST(WalkingFeature, reports_each_step_and_what_ended_it_to_a_person_who_types) 
     OnFoot one;
     one.tap(Command::Forward);
     for (int i = 0; i < 12; ++i) one.tick();
-    EXPECT_THAT(told(one), ElementsAre("1 step"));
+    EXPECT_THAT(reported(one), ElementsAre("1 step"));
     EXPECT_TRUE(one.walking.act(Command::Forward, one.now_s, 9));
     one.settle();
     for (int i = 0; i < 12; ++i) one.tick();
-    EXPECT_THAT(told(one), ElementsAre("3 steps, then wall"));
+    EXPECT_THAT(reported(one), ElementsAre("3 steps, then wall"));
     for (int i = 0; i < 2; ++i) {
         one.tap(Command::Forward);
         for (int frame = 0; frame < 12; ++frame) one.tick();
-        EXPECT_THAT(told(one), ElementsAre("Blocked. Wall")) << "each time";
+        EXPECT_THAT(reported(one), ElementsAre("Blocked. Wall")) << "each time";
     }
     one.walking.set_down({0.0, -9.0, 0.0}, kPi);
     EXPECT_TRUE(one.walking.act(Command::Forward, one.now_s, 5));
     one.settle();
-    EXPECT_THAT(told(one), ElementsAre("Drop, 1 step ahead", "1 step. " + phrase("walking.edge_very_deep")));
+    EXPECT_THAT(reported(one), ElementsAre("Drop, 1 step ahead", "1 step. " + phrase("walking.edge_very_deep")));
 }
 
 TEST(WalkingFeature, reports_on_which_side_a_step_was_blocked) {
@@ -201,10 +201,10 @@ TEST(WalkingFeature, reports_on_which_side_a_step_was_blocked) {
     const auto met = [&](const Vec3& feet_m, double heading_rad, Command command) {
         one.walking.set_down(feet_m, heading_rad);
         one.settle();
-        (void)told(one);
+        (void)reported(one);
         EXPECT_TRUE(one.walking.act(command, one.now_s));
         one.settle();
-        const std::vector<std::string> words = told(one);
+        const std::vector<std::string> words = reported(one);
         return words.empty() ? std::string() : words.front();
     };
     EXPECT_EQ(met({0.0, 2.7, 0.0}, 0.0, Command::Forward), "Wall");
@@ -215,9 +215,9 @@ TEST(WalkingFeature, reports_on_which_side_a_step_was_blocked) {
     EXPECT_EQ(met({3.7, -1.2, 0.0}, 0.5 * kPi, Command::Forward), "Gate, left shoulder");
     one.walking.steer({0.0, 1.0, 0.0});
     one.walking.set_down({3.7, 0.0, 0.0}, 0.0);
-    (void)told(one);
+    (void)reported(one);
     for (int i = 0; i < 20; ++i) one.tick();
-    EXPECT_THAT(told(one), ElementsAre("Gate, right"));
+    EXPECT_THAT(reported(one), ElementsAre("Gate, right"));
     one.plain.person.settings.speech.verbosity = 0;
     one.walking.steer({});
     EXPECT_EQ(met({0.0, 2.7, 0.0}, 0.0, Command::Forward), "") << "the thud alone";
@@ -231,16 +231,16 @@ TEST(WalkingFeature, announces_only_the_last_heading_of_several_turns_in_sixteen
     }
     one.settle();
     for (int frame = 0; frame < 12; ++frame) one.tick();
-    EXPECT_THAT(told(one), ElementsAre("South"));
+    EXPECT_THAT(reported(one), ElementsAre("South"));
     EXPECT_TRUE(one.walking.act(Command::TurnRight, one.now_s, 3));
     one.settle();
     for (int frame = 0; frame < 12; ++frame) one.tick();
-    EXPECT_THAT(told(one), ElementsAre("West-south-west"));
+    EXPECT_THAT(reported(one), ElementsAre("West-south-west"));
     std::vector<std::string> winds;
     for (int i = 0; i < 16; ++i) {
         one.tap(Command::TurnLeft);
         for (int frame = 0; frame < 12; ++frame) one.tick();
-        const std::vector<std::string> heading = told(one);
+        const std::vector<std::string> heading = reported(one);
         ASSERT_EQ(heading.size(), 1U);
         winds.push_back(heading.front());
     }
@@ -323,9 +323,9 @@ TEST(ByEarFeature, refuses_to_return_to_a_place_that_is_blocked_by_a_solid) {
     OnFoot one;
     const Vec3 gate_m{4.1, 0.0, 0.0};
     one.walking.set_down(gate_m, 0.0);
-    ASSERT_TRUE(one.plain.world.solids->blocked(one.feet_m(), one.plain.body.walker->shape()));
+    ASSERT_TRUE(one.plain.world.solids->blocked(one.feet_m(), one.plain.avatar.walker->shape()));
     one.tap(Command::Home);
-    ASSERT_FALSE(one.plain.world.solids->blocked(one.feet_m(), one.plain.body.walker->shape()));
+    ASSERT_FALSE(one.plain.world.solids->blocked(one.feet_m(), one.plain.avatar.walker->shape()));
     (void)one.plain.said();
     const Vec3 free_m = one.feet_m();
     one.tap(Command::UndoLeap);
@@ -356,7 +356,7 @@ TEST(ByEarFeature, trails_a_wall_until_another_key_ends_it) {
     EXPECT_TRUE(one.walking.act(Command::TrailLeft, one.now_s));
     for (int i = 0; i < 120; ++i) one.tick();
     EXPECT_GT(one.feet_m().x, -4.0);
-    EXPECT_NEAR(one.feet_m().y, 3.0 - one.plain.body.walker->size().radius_m - Trail::kGap_m, 0.01);
+    EXPECT_NEAR(one.feet_m().y, 3.0 - one.plain.avatar.walker->size().radius_m - Trail::kGap_m, 0.01);
     const auto normal = one.by_ear.wall_at_side();
     ASSERT_TRUE(normal);
     EXPECT_NEAR(normal->y, -1.0, 1e-6) << "out of the wall";

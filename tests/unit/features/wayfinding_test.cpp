@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "app/core/wayfinding/guide.h"
-#include "app/core/wayfinding/way_words.h"
+#include "app/core/wayfinding/whole_route_words.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
@@ -59,7 +59,7 @@ struct Yard : test::PlainSession {
     }
 
     Rooms rooms{context};
-    Doors doors{context, world, body};
+    Doors doors{context, world, avatar};
 };
 
 struct Plans : Yard {
@@ -125,12 +125,12 @@ TEST(Wayfinding, describes_a_whole_route_with_its_stops) {
     ASSERT_TRUE(plain.rooms.known());
     const std::vector<Stop> stops{stop("Here", {0.0, 0.0, 0.0}), stop("", {8.0, 1.0, 0.0}),
                                   stop("There", {8.0, 6.0, 0.0}), stop("End", {0.0, 8.0, 0.0})};
-    const std::string words = whole_way_words(plain.context, plain.rooms, "Round", stops);
+    const std::string words = whole_route_words(plain.context, plain.rooms, "Round", stops);
     EXPECT_THAT(words, HasSubstr("Round"));
     EXPECT_LT(words.find("There"), words.find("End"));
     EXPECT_THAT(words, Not(HasSubstr("not reached")));
     plain.person.settings.walk.step_length_m *= 0.5;
-    EXPECT_NE(whole_way_words(plain.context, plain.rooms, "Round", stops), words) << "told in steps";
+    EXPECT_NE(whole_route_words(plain.context, plain.rooms, "Round", stops), words) << "told in steps";
 }
 
 // ---- planned routes ----
@@ -180,13 +180,13 @@ TEST(Wayfinding, describes_a_route_and_then_each_of_its_steps_by_ear) {
     ASSERT_TRUE(plain.rooms.known());
     DirectionsGround ground(plain.context, plain.rooms);
     SpokenRoute ear(plain.context, plain.rooms, plain.plans, ground);
-    ear.tell_on(0.0);
+    ear.announce_onward(0.0);
     const std::vector<std::string> none = plain.said();
     ear.follow_to({0.0, 8.0, 0.0}, "Fence", "Well then.", 0.0);
     ASSERT_TRUE(ear.following());
     EXPECT_THAT(plain.said(), ElementsAre(testing::AllOf(testing::StartsWith("Well then. "), HasSubstr("Fence"))));
     EXPECT_EQ(ear.name(), "Fence");
-    ear.tell_on(0.0);
+    ear.announce_onward(0.0);
     EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("Fence")));
     bool arrived = false;
     const std::vector<Vec3> way = plain.plans.last_m();
@@ -199,7 +199,7 @@ TEST(Wayfinding, describes_a_route_and_then_each_of_its_steps_by_ear) {
         }
     EXPECT_TRUE(arrived);
     EXPECT_FALSE(ear.following());
-    ear.tell_on(0.0);
+    ear.announce_onward(0.0);
     EXPECT_EQ(plain.said(), none);
     ear.follow_to({0.0, -8.0, 0.0}, "Hedge", {}, 0.0);
     plain.stand({-9.0, 9.0, 0.0});
@@ -263,7 +263,7 @@ TEST(Wayfinding, does_not_repeat_a_leg_on_which_the_body_was_just_stopped) {
         ASSERT_EQ(word.state(), RouteDirections::State::Known);
         const std::string leg = word.leg();
         ASSERT_THAT(leg, HasSubstr("steps"));
-        plain.body.heading_rad = plain.body.heading_goal_rad = word.heading_rad().value();
+        plain.avatar.heading_rad = plain.avatar.heading_goal_rad = word.heading_rad().value();
         word.note_stop(kNoFeature);
         if (walked_on) plain.stand({3.0, 2.7, 0.0});
         (void)word.leg();
@@ -345,15 +345,15 @@ TEST(Wayfinding, reports_how_guidance_has_ended) {
 TEST(Wayfinding, replans_for_a_walker_who_left_the_route_once_everything_is_at_rest) {
     Hand plain;
     plain.pull(0.0);
-    EXPECT_FALSE(plain.hand.wants_new_way(plain.goal, 1.2));
+    EXPECT_FALSE(plain.hand.wants_new_path(plain.goal, 1.2));
     plain.stand({1.0, 0.0, 0.0});
-    EXPECT_FALSE(plain.hand.wants_new_way(plain.goal, 1.3));
+    EXPECT_FALSE(plain.hand.wants_new_path(plain.goal, 1.3));
     plain.felt(plain.hand.path(), GuidancePhase::LetGo);
     EXPECT_FALSE(plain.hand.tick(plain.goal, 1.3));
     EXPECT_THAT(plain.said(), IsEmpty()) << "nobody held against it";
     EXPECT_TRUE(plain.hand.at_work());
-    EXPECT_FALSE(plain.hand.wants_new_way(plain.goal, 1.5));
-    EXPECT_TRUE(plain.hand.wants_new_way(plain.goal, 1.7));
+    EXPECT_FALSE(plain.hand.wants_new_path(plain.goal, 1.5));
+    EXPECT_TRUE(plain.hand.wants_new_path(plain.goal, 1.7));
 }
 
 TEST(Wayfinding, moves_the_workspace_on_if_the_path_leads_out_of_reach) {
@@ -465,7 +465,7 @@ TEST(Wayfinding, chooses_a_target_and_forgets_it_in_another_world) {
 
 TEST(Wayfinding, sets_and_mutes_the_beacon_on_the_thing_ahead) {
     Guided plain;
-    plain.body.heading_rad = plain.body.heading_goal_rad = kPi;
+    plain.avatar.heading_rad = plain.avatar.heading_goal_rad = kPi;
     EXPECT_TRUE(plain.guide.act(Command::SetBeacon, 0.0));
     EXPECT_TRUE(plain.guide.beacon().on());
     EXPECT_EQ(plain.guide.beacon().name(), "Well");
@@ -488,7 +488,7 @@ TEST(Wayfinding, guides_along_a_saved_route_by_ear_from_stop_to_stop) {
     EXPECT_THAT(plain.walk(), IsEmpty()) << "there";
 }
 
-TEST(Wayfinding, says_where_a_thing_is_on_choosing_its_item_and_on_asking) {
+TEST(Wayfinding, says_where_a_thing_is_on_choosing_its_item_and_on_request) {
     for (const char* language : {"en", "de"}) {
         const test::InLanguage spoken(language);
         for (const std::string& typed : {phrase("guide.where_is_it"), phrase("guide.where_is_it_question")}) {
@@ -525,16 +525,17 @@ std::vector<std::string> facts(Yard& plain) {
     const auto fact = [](const char* what, const std::string& name, LedBy by) {
         return fmt::format("{} {} by {}", what, name, static_cast<int>(by));
     };
-    std::vector<std::string> told;
+    std::vector<std::string> reported;
     for (const SessionEvent& event : plain.events.take()) {
-        if (const auto* led = std::get_if<Led>(&event.what)) told.push_back(fact("led", led->goal, led->by));
-        if (const auto* left = std::get_if<LeftRoute>(&event.what)) told.push_back(fact("left", left->goal, left->by));
+        if (const auto* led = std::get_if<Led>(&event.what)) reported.push_back(fact("led", led->goal, led->by));
+        if (const auto* left = std::get_if<LeftRoute>(&event.what))
+            reported.push_back(fact("left", left->goal, left->by));
         if (const auto* stop = std::get_if<StopPassed>(&event.what))
-            told.push_back(fact("passed", stop->stop, stop->by));
+            reported.push_back(fact("passed", stop->stop, stop->by));
         if (const auto* there = std::get_if<Arrived>(&event.what))
-            told.push_back(fact(there->to_nearest ? "near" : "arrived", there->goal, there->by));
+            reported.push_back(fact(there->to_nearest ? "near" : "arrived", there->goal, there->by));
     }
-    return told;
+    return reported;
 }
 
 TEST(Wayfinding, reports_passed_stops_and_the_end_as_events) {

@@ -69,16 +69,16 @@ TEST(SolidsWithin, contain_exactly_once_each_point_that_a_ray_cast_calls_inside)
         several += solids->size() > 1 ? 1 : 0;
         EXPECT_LE(solids->size(), blocks.size() + 8);
         const Aabb box = box_of(mesh);
-        int asked = 0;
+        int queries = 0;
         for (int i = 0; i < 400; ++i) {
             const Vec3 at = box.min_m + box.size_m() * Vec3(unit(random), unit(random), unit(random));
             const std::optional<int> in = held(*solids, at);
             if (!in || mesh.distance_m(at) < 1e-4) continue;
-            ++asked;
+            ++queries;
             ASSERT_EQ(*in, mesh.holds(at) ? 1 : 0) << at.x << " " << at.y << " " << at.z;
             ASSERT_EQ(times_around(mesh.points_m, mesh.triangles, all_of(mesh), at), mesh.holds(at) ? 1 : 0);
         }
-        EXPECT_GT(asked, 200);
+        EXPECT_GT(queries, 200);
     }
     EXPECT_GT(several, test::scaled(60) / 2);
 }

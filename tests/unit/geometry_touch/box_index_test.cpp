@@ -56,20 +56,20 @@ TEST(BoxIndex, finds_the_same_boxes_and_lines_as_a_full_scan) {
                 const Vec3 from = shift + in_cube(random, 7.0);
                 Vec3 to = shift + in_cube(random, 7.0);
                 if (query % 4 == 0) to[query % 3] = from[query % 3];
-                Aabb asked;
-                asked.include(from);
-                asked.include(to);
+                Aabb requested;
+                requested.include(from);
+                requested.include(to);
                 std::vector<bool> met(boxes.size(), false), seen(boxes.size(), false);
-                tree.meeting(asked, [&](std::uint32_t i) { met[i] = true; });
+                tree.meeting(requested, [&](std::uint32_t i) { met[i] = true; });
                 const Vec3 low(0.1, 0.2, 0.3), high(0.3, 0.2, 0.1);
                 tree.along(from, to, low, high, [&](std::uint32_t i, double&) { seen[i] = true; });
-                double nearest = 2.0, told = 2.0;
+                double nearest = 2.0, reported = 2.0;
                 for (std::uint32_t i = 0; i < boxes.size(); ++i) {
                     if (boxes[i].empty()) {
                         EXPECT_FALSE(met[i] || seen[i]);
                         continue;
                     }
-                    if (BoxIndex::meets(boxes[i], asked)) {
+                    if (BoxIndex::meets(boxes[i], requested)) {
                         EXPECT_TRUE(met[i]) << i;
                     }
                     const double in = enters(boxes[i], from, to, low, high);
@@ -84,9 +84,9 @@ TEST(BoxIndex, finds_the_same_boxes_and_lines_as_a_full_scan) {
                 tree.along(from, to, low, high, [&](std::uint32_t i, double& reach) {
                     ++looks;
                     if (const double in = enters(boxes[i], from, to, low, high); in <= 1.0)
-                        reach = told = std::min(told, in);
+                        reach = reported = std::min(reported, in);
                 });
-                EXPECT_EQ(told, nearest);
+                EXPECT_EQ(reported, nearest);
                 EXPECT_LE(looks, static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true)));
             }
         }

@@ -64,7 +64,7 @@ inline std::vector<std::string> never_heard(const std::vector<MustHear>& all, co
 }
 
 // Returns every line with its times, for a person who analyses a failure.
-inline std::string told(const RecordingSpeech& voice) {
+inline std::string said_by(const RecordingSpeech& voice) {
     std::string text;
     for (const HeardSpeech& said : voice.lines())
         text += fmt::format("{:7.2f} {:7.2f} {}{}\n", said.time_s, said.end_s,

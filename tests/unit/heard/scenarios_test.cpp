@@ -60,7 +60,7 @@ void hear(const std::string& name, double words_per_minute) {
         run_scenario(scenario, std::make_shared<const Scene>(std::move(*world)), audio, voice, {read_requested},
                      [&](HeadlessSession& session) { leads = session.app().guide().leads(); });
     ASSERT_TRUE(log) << log.error().sentence();
-    const std::string how = fmt::format("{}, {} words a minute:\n{}", name, words_per_minute, test::told(voice));
+    const std::string how = fmt::format("{}, {} words a minute:\n{}", name, words_per_minute, test::said_by(voice));
     // A person who presses a stop key does not want to hear the lines.
     if (stops(scenario)) return;
     EXPECT_THAT(test::unheard(voice, {SpeechTopic::Place, SpeechTopic::Arrival}), IsEmpty()) << how;

@@ -172,7 +172,7 @@ public:
             lines.push_back({said.time_s, said.utterance.text, in_full(said, now_s()), said.utterance.topic});
         return lines;
     }
-    std::string all() const { return told(voice); }
+    std::string all() const { return said_by(voice); }
 };
 
 }  // namespace handrail::test

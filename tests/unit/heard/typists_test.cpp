@@ -43,7 +43,7 @@ TEST_P(Paced, who_walks_through_the_house_hears_rooms_and_the_whole_of_a_route) 
     typist.press(Command::Routes);
     typist.key("Enter");
     for (int i = 0; i < 6; ++i) {
-        typist.press(Command::FaceWay);
+        typist.press(Command::FaceRoute);
         typist.press(Command::Forward, 5);
     }
     typist.press(Command::TurnRight, 3);
@@ -62,7 +62,7 @@ TEST_P(Paced, who_walks_through_the_house_hears_rooms_and_the_whole_of_a_route) 
     EXPECT_THAT(test::cut_warnings(typist.voice), IsEmpty()) << typist.all();
 }
 
-TEST_P(Paced, who_asks_for_a_route_and_walks_on_at_once_hears_how_it_goes) {
+TEST_P(Paced, a_person_who_requests_a_route_and_walks_on_at_once_hears_how_it_goes) {
     Typist typist("house.map", GetParam().words_per_minute, GetParam().pause_s);
     typist.press(Command::Routes);
     typist.key("Enter");
@@ -153,7 +153,7 @@ TEST(Typist, hears_a_leg_that_was_cut_as_it_is_after_the_steps_walked_meanwhile)
     typist.press(Command::Exits);  // so that the session knows the rooms from now on
     typist.listen();
     typist.type("routes utility room");
-    typist.press(Command::FaceWay);
+    typist.press(Command::FaceRoute);
     typist.listen();
     typist.press(Command::RepeatLeg);
     typist.listen();

@@ -27,16 +27,16 @@ TEST(IfcArchive, is_read_like_the_building_that_it_contains) {
 }
 
 TEST(IfcArchive, that_is_not_a_single_model_is_reported_in_one_sentence) {
-    const auto told = [](const std::string& bytes) {
+    const auto reported = [](const std::string& bytes) {
         const Result<Scene> scene = read_ifczip(bytes, "a.ifczip");
         return scene ? std::string("a world") : scene.error().sentence();
     };
-    EXPECT_THAT(told(test::zipped({{"house.ifcxml", "<ifc/>"}})), HasSubstr("no .ifc file"));
-    EXPECT_THAT(told(test::zipped({{"a.ifc", "x"}, {"b.ifc", "y"}})), HasSubstr("contains 2 .ifc files"));
-    EXPECT_THAT(told(test::zipped({{"a.ifc", "no model"}})), HasSubstr("a.ifczip"));
+    EXPECT_THAT(reported(test::zipped({{"house.ifcxml", "<ifc/>"}})), HasSubstr("no .ifc file"));
+    EXPECT_THAT(reported(test::zipped({{"a.ifc", "x"}, {"b.ifc", "y"}})), HasSubstr("contains 2 .ifc files"));
+    EXPECT_THAT(reported(test::zipped({{"a.ifc", "no model"}})), HasSubstr("a.ifczip"));
     const std::string whole = test::zipped({{"a.ifc", test::small_house()}}, true);
     for (std::size_t at = 0; at < whole.size(); at += 7)
-        EXPECT_THAT(told(whole.substr(0, at)), HasSubstr("damaged")) << "cut at " << at;
+        EXPECT_THAT(reported(whole.substr(0, at)), HasSubstr("damaged")) << "cut at " << at;
 }
 
 TEST(IfcArchive, is_read_for_the_institute_without_unpacking) {

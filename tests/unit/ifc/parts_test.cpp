@@ -234,15 +234,15 @@ TEST(DoorsOfIfc, too_small_for_a_body_are_named_with_the_reason) {
         const HonestReport report = honest_report(scene);
         EXPECT_EQ(report.doors, 2);
         EXPECT_EQ(report.doors_impassable, row.reason.empty() ? 0 : 1);
-        const auto told = [&](const std::string& text) { return text.find(row.reason) != std::string::npos; };
+        const auto reported = [&](const std::string& text) { return text.find(row.reason) != std::string::npos; };
         if (row.reason.empty()) continue;
         ASSERT_FALSE(report.check.empty());
         EXPECT_EQ(check_words(scene, report.check[0]), "nobody can get through the door Entrance: " + row.reason);
         EXPECT_TRUE(std::any_of(scene.report.warnings.begin(), scene.report.warnings.end(),
-                                [&](const Diagnostic& d) { return told(d.message); }));
+                                [&](const Diagnostic& d) { return reported(d.message); }));
         const std::vector<WorldFault> faults = find_faults(scene, nullptr, nullptr);
         EXPECT_TRUE(std::any_of(faults.begin(), faults.end(), [&](const WorldFault& fault) {
-            return fault.kind == FaultKind::ImpassableDoor && told(fault_words(scene, fault));
+            return fault.kind == FaultKind::ImpassableDoor && reported(fault_words(scene, fault));
         }));
     }
 }

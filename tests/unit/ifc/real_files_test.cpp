@@ -82,7 +82,7 @@ TEST(Office, is_read_as_generated_and_every_room_can_be_walked_to_from_the_front
     EXPECT_EQ(stated.openings_cut, stated.openings);
     EXPECT_EQ(stated.storeys.size(), 2U);
     ASSERT_FALSE(scene->starts.empty());
-    const auto navigation = Navigation::make(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    const auto navigation = Navigation::make(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(navigation.has_value()) << navigation.error().sentence();
     for (const StatedRoom& room : stated.rooms)
         EXPECT_TRUE((*navigation)->reachable(scene->starts[0].feet_m, room.at_m)) << room.name << room.number;
@@ -93,7 +93,7 @@ TEST(Duplex, can_be_walked_from_the_front_door_to_the_bedrooms) {
     if (!path) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
     const Result<Scene> scene = read_world(*path);
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
-    const auto navigation = Navigation::make(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    const auto navigation = Navigation::make(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(navigation.has_value()) << navigation.error().sentence();
     ASSERT_EQ(scene->starts.size(), 4U);
     const RoomGraph graph = make_rooms(*scene, (*navigation)->space());
@@ -123,7 +123,7 @@ TEST(RealIfc, houses_of_ifc_4_and_4x3_are_read_completely) {
     EXPECT_GE(few->report.brushes, 3);
     // The file states no room, so the start may be in front of any door.
     ASSERT_EQ(few->starts.size(), 1U);
-    const auto ways = Navigation::make(*few, walk_body(*few, 0.25, 1.8, 0.25));
+    const auto ways = Navigation::make(*few, walker_measures(*few, 0.25, 1.8, 0.25));
     ASSERT_TRUE(ways.has_value()) << ways.error().sentence();
     const StatedPortal& door = few->stated->portals[0];
     EXPECT_LT(glm::length(few->starts[0].feet_m - door.place_m), 2.0);

@@ -97,7 +97,7 @@ TEST(SmallHouse, has_leaves_that_swing_as_ifc_defines) {
 
 TEST(SmallHouse, can_be_walked_through_by_the_rooms_of_its_file) {
     const Scene scene = scene_of(test::small_house());
-    const auto navigation = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    const auto navigation = Navigation::make(scene, walker_measures(scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(navigation.has_value()) << navigation.error().sentence();
     const RoomGraph graph = make_rooms(scene, (*navigation)->space());
     std::vector<std::string> names;
@@ -121,7 +121,7 @@ struct FoundInIt {
 };
 FoundInIt found_in(const Scene& scene, const Vec3& shift_m) {
     FoundInIt found;
-    const auto navigation = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    const auto navigation = Navigation::make(scene, walker_measures(scene, 0.25, 1.8, 0.25));
     EXPECT_TRUE(navigation.has_value()) << navigation.error().sentence();
     if (!navigation) return found;
     const RoomGraph graph = make_rooms(scene, (*navigation)->space());
@@ -140,7 +140,8 @@ FoundInIt found_in(const Scene& scene, const Vec3& shift_m) {
     const std::vector<Vec3> places{{1.5, -1.2, 0.0}, {1.2, 3.0, 0.0}, {7.2, 0.8, 0.0}, {7.5, 3.5, 0.0}};
     for (std::size_t a = 0; a < places.size(); ++a)
         for (std::size_t b = a + 1; b < places.size(); ++b) {
-            const Route route = (*navigation)->plan(places[a] + shift_m, places[b] + shift_m, RouteWish::Shortest);
+            const Route route =
+                (*navigation)->plan(places[a] + shift_m, places[b] + shift_m, RoutePreference::Shortest);
             double length = 0.0;
             for (std::size_t i = 1; i < route.points_m.size(); ++i)
                 length += glm::length(route.points_m[i] - route.points_m[i - 1]);
@@ -262,7 +263,7 @@ TEST(SmallHouse, without_rooms_starts_in_front_of_a_door_and_without_doors_on_th
         EXPECT_TRUE(start.base);
         EXPECT_FALSE(test::in_a_solid(*scene, start.feet_m + Vec3(0, 0, 0.1)));
         EXPECT_TRUE(test::in_a_solid(*scene, start.feet_m - Vec3(0, 0, 0.05)));
-        const auto ways = Navigation::make(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+        const auto ways = Navigation::make(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
         ASSERT_TRUE(ways.has_value()) << ways.error().sentence();
         EXPECT_TRUE((*ways)->reachable(start.feet_m, {6, 2, 0})) << "through the front door into the hall";
         if (doors) {

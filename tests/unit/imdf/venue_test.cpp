@@ -120,7 +120,7 @@ TEST(ImdfVenue, turns_units_openings_and_levels_into_rooms_and_doors) {
     EXPECT_THAT(scene.report.simplified, Contains(HasSubstr("does not know")));
     ASSERT_FALSE(scene.starts.empty());
     EXPECT_EQ(scene.starts[0].name, "Front door");
-    const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    const auto ways = Navigation::make(scene, walker_measures(scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(ways.has_value());
     for (const StatedRoom& room : scene.stated->rooms)
         if (room.name == "Passports" || room.name == "Women's toilets" || room.name == "Acme brewery room") {
@@ -161,7 +161,7 @@ TEST(ImdfVenue, without_openings_gets_assumed_doorways_from_a_walkway_into_its_r
         EXPECT_NE(found, scene.stated->rooms.end()) << name;
         return found->at_m;
     };
-    const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    const auto ways = Navigation::make(scene, walker_measures(scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(ways.has_value());
     const Vec3 beside_the_desk = room("Passports") + Vec3(1.0, 0.0, 0.0);
     EXPECT_TRUE((*ways)->reachable(room("Walkway, Ground floor"), beside_the_desk));

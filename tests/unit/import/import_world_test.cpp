@@ -21,8 +21,8 @@
 #include "worlds/base/files.h"
 #include "worlds/confine/confine.h"
 #include "worlds/navigation/navigation.h"
+#include "worlds/stored/stored_navigation.h"
 #include "worlds/stored/stored_scene.h"
-#include "worlds/stored/stored_ways.h"
 
 namespace handrail {
 namespace import_world_test {
@@ -213,27 +213,27 @@ TEST(KeptRoutes, are_unpacked_only_by_the_reader_process) {
     const test::TemporaryFolder folder;
     const Result<Scene> scene = read_ifc(test::small_house(), "house.ifc");
     ASSERT_TRUE(scene.has_value());
-    const WalkerMeasures body = walk_body(*scene, 0.25, 1.8, 0.25);
+    const WalkerMeasures body = walker_measures(*scene, 0.25, 1.8, 0.25);
     const Result<WalkSpace> space = make_walk_space(*scene, body);
     ASSERT_TRUE(space.has_value());
     const RoomGraph graph = make_rooms(*scene, *space);
-    const std::string packed = stored_ways(*space, graph), name = ways_key(*scene, body) + ".ways";
+    const std::string packed = stored_navigation(*space, graph), name = navigation_key(*scene, body) + ".ways";
     const Cache cache(folder.path() / "cache");
     const auto unpacked = [&](const std::string& called) {
         const Descriptor file = cache.open(name);
         return file.get() < 0 ? std::string("not kept")
-                              : unpack_ways_apart({file.get(), called}, find_reader_program());
+                              : unpack_navigation_apart({file.get(), called}, find_reader_program());
     };
     EXPECT_EQ(unpacked(name), "not kept");
     cache.keep(name, packed);
-    EXPECT_EQ(unpacked(name), unpacked_ways(packed));
-    EXPECT_TRUE(ways_from(unpacked(name), body, *scene).has_value());
+    EXPECT_EQ(unpacked(name), unpacked_navigation(packed));
+    EXPECT_TRUE(navigation_from(unpacked(name), body, *scene).has_value());
     EXPECT_EQ(unpacked("another.ways"), "");
     cache.keep(name, packed.substr(0, packed.size() / 2));
     EXPECT_EQ(unpacked(name), "");
     cache.keep(name, packed);
     const Descriptor file = cache.open(name);
-    EXPECT_EQ(unpack_ways_apart({file.get(), name}, folder.path() / "no program"), "");
+    EXPECT_EQ(unpack_navigation_apart({file.get(), name}, folder.path() / "no program"), "");
 }
 
 TEST(ImportedWorld, that_cannot_be_cached_is_read_all_the_same) {
@@ -286,21 +286,21 @@ fs::path stand_in(const test::TemporaryFolder& folder, const std::string& script
 TEST(ReaderProcess, gives_one_sentence_for_every_way_to_end) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.write("house.ifc", test::small_house());
-    const auto told = [&](const std::string& script) {
+    const auto reported = [&](const std::string& script) {
         const auto read = read_apart(path, {}, stand_in(folder, script), {2'000'000'000, 7, 0.5});
         return read ? std::string("a world") : read.error().sentence();
     };
-    EXPECT_THAT(told("kill -SEGV $$"), HasSubstr("failed: Segmentation fault"));
-    EXPECT_THAT(told("kill -ABRT $$"), HasSubstr("failed: Aborted"));
-    EXPECT_THAT(told("kill -XCPU $$"), HasSubstr("takes longer than 7 seconds"));
-    EXPECT_THAT(told("kill -KILL $$"), HasSubstr("more than 2 gigabytes"));
-    EXPECT_THAT(told("exit 3"), HasSubstr("more than 2 gigabytes"));
-    EXPECT_THAT(told("exit 4"), HasSubstr("too large"));
-    EXPECT_THAT(told("exit 77"), HasSubstr("exit status 77"));
-    EXPECT_THAT(told("exit 0"), HasSubstr("damaged"));
-    EXPECT_THAT(told("printf 'nonsense of a sort' >&3"), HasSubstr("damaged"));
-    EXPECT_THAT(told("printf 'p999999999999\\nsx\\n\\n\\0p' >&4; exit 77"), HasSubstr("exit status 77"));
-    EXPECT_THAT(told("sleep 60"), HasSubstr("takes longer than"));
+    EXPECT_THAT(reported("kill -SEGV $$"), HasSubstr("failed: Segmentation fault"));
+    EXPECT_THAT(reported("kill -ABRT $$"), HasSubstr("failed: Aborted"));
+    EXPECT_THAT(reported("kill -XCPU $$"), HasSubstr("takes longer than 7 seconds"));
+    EXPECT_THAT(reported("kill -KILL $$"), HasSubstr("more than 2 gigabytes"));
+    EXPECT_THAT(reported("exit 3"), HasSubstr("more than 2 gigabytes"));
+    EXPECT_THAT(reported("exit 4"), HasSubstr("too large"));
+    EXPECT_THAT(reported("exit 77"), HasSubstr("exit status 77"));
+    EXPECT_THAT(reported("exit 0"), HasSubstr("damaged"));
+    EXPECT_THAT(reported("printf 'nonsense of a sort' >&3"), HasSubstr("damaged"));
+    EXPECT_THAT(reported("printf 'p999999999999\\nsx\\n\\n\\0p' >&4; exit 77"), HasSubstr("exit status 77"));
+    EXPECT_THAT(reported("sleep 60"), HasSubstr("takes longer than"));
     const auto none = read_apart(path, {}, folder.path() / "no program");
     ASSERT_FALSE(none.has_value());
     EXPECT_THAT(none.error().sentence(), HasSubstr("cannot be started"));
@@ -422,16 +422,16 @@ TEST(RequestedFiles, of_a_compromised_reader_are_opened_only_in_the_folder_of_th
         return file ? read_whole_file(*file, 100, {}).value() : file.error().sentence();
     };
     EXPECT_EQ(content(request_world(reader.get())), "the world");
-    EXPECT_EQ(content(request_beside(reader.get(), "picture.png")), "a picture");
+    EXPECT_EQ(content(request_next_to(reader.get(), "picture.png")), "a picture");
     for (const std::string& name :
          {std::string(), std::string("."), std::string(".."), std::string("../secret"), std::string("./.././secret"),
           std::string("link"), std::string("/etc/passwd"), (folder.path() / "secret").string(),
           std::string("picture.png\0/../../secret", 25), std::string(4095, 'x'), std::string(5000, 'x'),
           std::string("/proc/self/environ")}) {
-        const Result<OpenFile> file = request_beside(reader.get(), name);
+        const Result<OpenFile> file = request_next_to(reader.get(), name);
         EXPECT_FALSE(file) << name;
     }
-    EXPECT_EQ(content(request_beside(reader.get(), "picture.png")), "a picture") << "and it goes on";
+    EXPECT_EQ(content(request_next_to(reader.get(), "picture.png")), "a picture") << "and it goes on";
     reader = Descriptor(-1);
     serves.join();
 }
@@ -487,7 +487,7 @@ bool is_dead(pid_t process) {
 TEST(ReaderProcess, dies_with_the_program_even_if_that_is_killed) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.write("house.ifc", large_house());
-    const fs::path told = folder.path() / "reader";
+    const fs::path reported = folder.path() / "reader";
     const pid_t program = ::fork();
     ASSERT_GE(program, 0);
     if (program == 0) {
@@ -496,15 +496,15 @@ TEST(ReaderProcess, dies_with_the_program_even_if_that_is_killed) {
         options.stage = [&](std::string_view) {
             const std::string children = test::content_of(fmt::format("/proc/self/task/{}/children", ::getpid()));
             ::kill(static_cast<pid_t>(std::stoi(children)), SIGSTOP);
-            std::ofstream(told.string() + ".new") << children;
-            fs::rename(told.string() + ".new", told);
+            std::ofstream(reported.string() + ".new") << children;
+            fs::rename(reported.string() + ".new", reported);
             ::pause();
         };
         (void)read_apart(path, options, find_reader_program());
         ::_exit(0);
     }
-    ASSERT_TRUE(test::eventually([&] { return fs::exists(told); }));
-    const pid_t reader = std::stoi(test::content_of(told));
+    ASSERT_TRUE(test::eventually([&] { return fs::exists(reported); }));
+    const pid_t reader = std::stoi(test::content_of(reported));
     EXPECT_FALSE(is_dead(reader));
     ::kill(program, SIGKILL);
     EXPECT_TRUE(test::eventually([&] { return is_dead(reader); }));

@@ -41,10 +41,10 @@ protected:
         return by(fmt::format("cat {} >&3", answer.string()));
     }
     TomlApart answering(const TomlAnswer& answer) {
-        ReaderAnswer told;
-        told.read = true;
+        ReaderAnswer reported;
+        reported.read = true;
         Packer pack;
-        pack(told, answer);
+        pack(reported, answer);
         return answering(pack.take());
     }
     TomlApart answering(const TomlValue& values) { return answering(TomlAnswer{{}, values}); }

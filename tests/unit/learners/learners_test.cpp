@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "app/learners/export_gate.h"
 #include "app/learners/exported.h"
 #include "app/learners/forget.h"
-#include "app/learners/way_out.h"
 #include "app/main/commands.h"
 #include "app/record/gzip_pieces.h"
 #include "tests/support/environment.h"
@@ -107,7 +107,7 @@ TEST(Exported, list_cut_at_every_byte_reports_the_line_and_keeps_earlier_entries
     }
 }
 
-TEST(WayOut, identifies_the_owner_of_data_by_its_folder_after_resolving_links) {
+TEST(ExportGate, identifies_the_owner_of_data_by_its_folder_after_resolving_links) {
     const TemporaryFolder data, elsewhere;
     const Learners learners(data.path());
     const auto owl = learners.make("Oak Owl", ""), finch = learners.make("Fig Finch", "");
@@ -116,10 +116,10 @@ TEST(WayOut, identifies_the_owner_of_data_by_its_folder_after_resolving_links) {
                    out = elsewhere.path() / "out.csv";
     fs::create_directories(recording);
     fs::create_directory_symlink(recording, link);
-    EXPECT_FALSE(WayOut::of(learners, elsewhere.path())->learner());
-    EXPECT_FALSE(WayOut::of(Learners({}), recording)->learner()) << "without a home there are no learners";
+    EXPECT_FALSE(ExportGate::of(learners, elsewhere.path())->learner());
+    EXPECT_FALSE(ExportGate::of(Learners({}), recording)->learner()) << "without a home there are no learners";
     for (const fs::path& from : {recording, link, link / "events.jsonl", recording / "../one"}) {
-        const auto way = WayOut::of(learners, from);
+        const auto way = ExportGate::of(learners, from);
         ASSERT_TRUE(way && way->learner()) << from;
         EXPECT_EQ(way->learner()->id, owl->id);
         EXPECT_FALSE(way->allows(out));
@@ -129,13 +129,13 @@ TEST(WayOut, identifies_the_owner_of_data_by_its_folder_after_resolving_links) {
         EXPECT_TRUE(way->allows(recording / "../out.csv")) << "in the learner's own folder nobody else looks";
     }
     ASSERT_TRUE(learners.change(owl->id, [](Learner& one) { one.consent(Purpose::Share) = Consent{today(), {}, {}}; }));
-    EXPECT_TRUE(WayOut::of(learners, link)->write(out, "1", write_file_atomically));
+    EXPECT_TRUE(ExportGate::of(learners, link)->write(out, "1", write_file_atomically));
     EXPECT_EQ(holdings_of(learners.folder_of(owl->id)).exported, std::vector{out});
     ASSERT_TRUE(write_file_atomically(learners.folder_of(owl->id) / "learner.toml", "name = "));
-    EXPECT_FALSE(WayOut::of(learners, link)) << "nobody knows what was agreed to";
+    EXPECT_FALSE(ExportGate::of(learners, link)) << "nobody knows what was agreed to";
 }
 
-TEST(WayOut, writes_no_file_that_it_cannot_note) {
+TEST(ExportGate, writes_no_file_that_it_cannot_note) {
     const TemporaryFolder data, elsewhere;
     const Learners learners(data.path());
     const auto owl = learners.make("Oak Owl", "");
@@ -143,7 +143,7 @@ TEST(WayOut, writes_no_file_that_it_cannot_note) {
     ASSERT_TRUE(learners.change(owl->id, [](Learner& one) { one.consent(Purpose::Share) = Consent{today(), {}, {}}; }));
     fs::create_directory(learners.folder_of(owl->id) / "exports.jsonl");
     const fs::path out = elsewhere.path() / "out.csv";
-    EXPECT_FALSE(WayOut::of(learners, learners.folder_of(owl->id))->write(out, "1", write_file_atomically));
+    EXPECT_FALSE(ExportGate::of(learners, learners.folder_of(owl->id))->write(out, "1", write_file_atomically));
     EXPECT_FALSE(fs::exists(out));
 }
 

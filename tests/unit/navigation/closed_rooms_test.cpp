@@ -68,7 +68,7 @@ struct Rows {
 };
 
 std::vector<std::string> out_of_reach(const Scene& scene) {
-    const Result<WalkSpace> space = make_walk_space(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    const Result<WalkSpace> space = make_walk_space(scene, walker_measures(scene, 0.25, 1.8, 0.25));
     EXPECT_TRUE(space.has_value());
     return unreachable_rooms(scene, *space, make_rooms(scene, *space));
 }
@@ -126,7 +126,7 @@ TEST(ClosedRooms, match_the_doorways_of_random_rows_of_rooms) {
                 std::replace(group.begin(), group.end(), from, to);
             }
         const auto scene = rows.build().share();
-        const Result<WalkSpace> space = make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+        const Result<WalkSpace> space = make_walk_space(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
         ASSERT_TRUE(space.has_value());
         const auto span_in = [&](int cell) { return space->nearest(rows.middle_m(cell), 0.5, 0.3, 0.3); };
         ASSERT_NE(span_in(0), kNothing);

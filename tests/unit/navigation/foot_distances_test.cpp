@@ -68,11 +68,11 @@ TEST(FootDistances, are_correct_for_all_pairs_of_doorways_in_random_buildings) {
         for (std::uint32_t from = 0; from < graph.rooms.size(); ++from) {
             const FootDistances on_foot(graph, from, from_m);
             for (std::uint32_t to = 0; to < graph.rooms.size(); ++to) {
-                const auto told = on_foot.to(to, to_m);
+                const auto reported = on_foot.to(to, to_m);
                 const double twin_m = shortest_m(graph, from, from_m, to, to_m);
-                ASSERT_EQ(told.has_value(), twin_m < kNever_m);
-                EXPECT_NEAR(told.value_or(0.0), told ? twin_m : 0.0, 1e-9);
-                ++(told ? reached : not_reached);
+                ASSERT_EQ(reported.has_value(), twin_m < kNever_m);
+                EXPECT_NEAR(reported.value_or(0.0), reported ? twin_m : 0.0, 1e-9);
+                ++(reported ? reached : not_reached);
             }
         }
     }

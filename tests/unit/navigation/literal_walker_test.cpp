@@ -36,8 +36,8 @@ struct Building {
         auto read = read_world(test::project_root() / "worlds" / "maps" / file);
         if (!read) throw std::runtime_error(read.error().message);
         scene = std::make_shared<const Scene>(with_movers_apart(*read, 128, thing_of_mover));
-        const WalkerSize size = body_size(*scene, 0.25);
-        auto made = Navigation::make(*read, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m));
+        const WalkerSize size = walker_size(*scene, 0.25);
+        auto made = Navigation::make(*read, walker_measures(*scene, size.radius_m, size.height_m, size.step_up_m));
         if (!made) throw std::runtime_error(made.error().message);
         navigation = *made;
         graph = make_rooms(*read, navigation->space());
@@ -61,7 +61,7 @@ struct Building {
 // The walker's body with its abilities, and the doors, as in the program.
 class Body {
 public:
-    explicit Body(const Building& in) : in_(in), size_(body_size(*in.scene, 0.25)), open_(in.ground->all_shut()) {
+    explicit Body(const Building& in) : in_(in), size_(walker_size(*in.scene, 0.25)), open_(in.ground->all_shut()) {
         for (const PlacedModel& thing : in.scene->placed) things_.push_back(thing.at);
         stand_in(*in.shut);
     }
@@ -77,18 +77,18 @@ public:
     Went walk(double heading_rad, double most_m, const std::function<bool(double)>& over = {}) {
         constexpr double kSpeed_m_per_s = 1.2, kTick_s = 1.0 / 60.0;
         Went went;
-        double wished_m = 0.0, made_m = 0.0;
+        double intended_m = 0.0, made_m = 0.0;
         int lined_up = 0;
         while (went.walked_m < most_m - 1e-6 && !fell_) {
             const double way_m = std::min(kSpeed_m_per_s * kTick_s, most_m - went.walked_m);
             const WalkResult r = tick(forward_of_heading(heading_rad) * (way_m / kTick_s));
             went.walked_m += r.walked_m;
-            wished_m += way_m;
+            intended_m += way_m;
             made_m += r.walked_m;
             if (over && over(went.walked_m)) break;
-            if (wished_m < kStoppedWindow_m) continue;
-            const bool slow = made_m < kStoppedBelow * wished_m;
-            wished_m = made_m = 0.0;
+            if (intended_m < kStoppedWindow_m) continue;
+            const bool slow = made_m < kStoppedBelow * intended_m;
+            intended_m = made_m = 0.0;
             if (!slow) continue;
             const BlindWalker here = in_.ground->body_at(feet_m());
             const auto aside_m =
@@ -138,8 +138,8 @@ private:
         if (walker_) moved->resume(walker_->state());
         walker_ = std::move(moved);
     }
-    WalkResult tick(const Vec3& wish) {
-        const WalkResult r = walker_->tick(wish, 1.0 / 60.0);
+    WalkResult tick(const Vec3& intended) {
+        const WalkResult r = walker_->tick(intended, 1.0 / 60.0);
         fell_ = fell_ || r.fell_m > 0.4;
         return r;
     }
@@ -154,13 +154,13 @@ private:
 };
 
 // The content of a leg, as the session announces it.
-struct Told {
+struct SaidLeg {
     int turn_notches = 0, steps = 0;
     PaceEnd end = PaceEnd::Steps;
     bool open = false;
 };
-std::vector<Told> told(const DirectionsRoute& route) {
-    std::vector<Told> legs;
+std::vector<SaidLeg> said_legs(const DirectionsRoute& route) {
+    std::vector<SaidLeg> legs;
     for (const DirectionsLeg& leg : route.legs)
         legs.push_back({leg.turn_notches, leg.steps, leg.end, leg.door != kNothing});
     return legs;
@@ -171,11 +171,11 @@ struct Errors {
 };
 
 // Follows the legs. The function knows only the legs and the body's own movements.
-void follow(Body& body, const std::vector<Told>& legs, const Errors& errors, std::mt19937_64& random) {
+void follow(Body& body, const std::vector<SaidLeg>& legs, const Errors& errors, std::mt19937_64& random) {
     std::uniform_real_distribution<double> either(-1.0, 1.0);
     int notch = 0;
     double off_rad = errors.turn_rad * either(random);
-    for (const Told& leg : legs) {
+    for (const SaidLeg& leg : legs) {
         notch += leg.turn_notches;
         if (leg.turn_notches != 0) off_rad = errors.turn_rad * either(random);
         const double heading_rad = notch_heading_rad(notch) + off_rad;
@@ -248,7 +248,7 @@ Counted count(const Building& in, int seeds, std::uint32_t every = 1) {
                 const double way_rad = kPi * either(random);
                 const double off_m = errors.start_m * std::sqrt(std::abs(either(random)));
                 if (off_m > 0.0) body.walk(way_rad, off_m);
-                follow(body, told(*route), errors, random);
+                follow(body, said_legs(*route), errors, random);
                 return !body.fell() && room_at(in.graph, in.navigation->space(), body.feet_m()) == to;
             };
             const bool exact = reaches({}, 0);

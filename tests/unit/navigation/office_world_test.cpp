@@ -45,7 +45,7 @@ TEST(OfficeWorld, is_read_without_a_warning_and_each_room_can_be_entered_through
     EXPECT_EQ(scene->report.warnings_in_all, 0) << scene->report.warnings.front().message;
     EXPECT_EQ(scene->report.brushes, 300);
     EXPECT_EQ(scene->report.doors, 8);
-    auto navigation = Navigation::make(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    auto navigation = Navigation::make(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(navigation) << navigation.error().message;
     const RoomGraph graph = make_rooms(*scene, (*navigation)->space());
     int doors = 0;

@@ -28,8 +28,8 @@ std::shared_ptr<Navigation> corridor(double wide_m, const Vec3& at_m = Vec3(0.0)
     box({-0.2, 0, 0}, {0, wide_m, 2.6}, FeatureKind::Wall);
     box({12, 0, 0}, {12.2, wide_m, 2.6}, FeatureKind::Wall);
     b.start(at_m + Vec3(1, 0.5 * wide_m, 0), 0.0);
-    const WalkerSize size = body_size(b.scene(), 0.25);
-    auto made = Navigation::make(b.scene(), walk_body(b.scene(), size.radius_m, size.height_m, size.step_up_m));
+    const WalkerSize size = walker_size(b.scene(), 0.25);
+    auto made = Navigation::make(b.scene(), walker_measures(b.scene(), size.radius_m, size.height_m, size.step_up_m));
     EXPECT_TRUE(made);
     return *made;
 }
@@ -95,17 +95,17 @@ TEST(OpenLeaves, occupy_exactly_the_places_where_a_body_would_overlap_them) {
 }
 
 TEST(OpenLeaves, are_avoided_if_there_is_room_and_otherwise_crossed) {
-    for (const RouteWish wish : {RouteWish::Safest, RouteWish::Shortest})
+    for (const RoutePreference preference : {RoutePreference::Safest, RoutePreference::Shortest})
         for (const Vec3& at : {Vec3(0.0), Vec3(3000.0, -2000.0, 40.0)}) {
             const auto wide = corridor(2.4, at), narrow = corridor(1.2, at);
             const Vec3 from = at + Vec3(1, 0.6, 0), to = at + Vec3(11, 0.6, 0);
-            const Route plain = wide->plan(from, to, wish);
+            const Route plain = wide->plan(from, to, preference);
             ASSERT_TRUE(plain.reaches);
             // The leaf reaches across the corridor from the south wall and leaves a metre and a half in the north.
             wide->know_leaves(std::vector{leaf(at + Vec3(6, 0, 0), 0.5 * kPi)});
             EXPECT_TRUE(wide->meets_leaf(plain.points_m));
             for (const bool back : {false, true}) {
-                const Route round = back ? wide->plan(to, from, wish) : wide->plan(from, to, wish);
+                const Route round = back ? wide->plan(to, from, preference) : wide->plan(from, to, preference);
                 EXPECT_TRUE(round.reaches);
                 EXPECT_FALSE(wide->meets_leaf(round.points_m));
                 EXPECT_LT(round.length_m, plain.length_m + 1.0);
@@ -113,12 +113,12 @@ TEST(OpenLeaves, are_avoided_if_there_is_room_and_otherwise_crossed) {
             }
             // Nobody can walk around the leaf. The route must lead through it, because a person can shut the door.
             narrow->know_leaves(std::vector{leaf(at + Vec3(6, 0, 0), 0.5 * kPi)});
-            const Route through = narrow->plan(from, to, wish);
+            const Route through = narrow->plan(from, to, preference);
             EXPECT_TRUE(through.reaches);
             EXPECT_TRUE(narrow->meets_leaf(through.points_m));
             EXPECT_LT(through.length_m, 11.0);
             // If a leaf covers the goal, the route must end next to the leaf.
-            const Route over = wide->plan(from, at + Vec3(6, 0.6, 0), wish);
+            const Route over = wide->plan(from, at + Vec3(6, 0.6, 0), preference);
             EXPECT_TRUE(over.reaches);
             EXPECT_FALSE(wide->meets_leaf(over.points_m));
             EXPECT_LT(glm::length(over.points_m.back() - (at + Vec3(6, 0.6, 0))), 0.6);
@@ -127,7 +127,7 @@ TEST(OpenLeaves, are_avoided_if_there_is_room_and_otherwise_crossed) {
             // When the door is shut again, the route must be the original route.
             wide->know_leaves({});
             EXPECT_FALSE(wide->meets_leaf(plain.points_m));
-            EXPECT_EQ(wide->plan(from, to, wish).points_m, plain.points_m);
+            EXPECT_EQ(wide->plan(from, to, preference).points_m, plain.points_m);
         }
 }
 

@@ -18,7 +18,7 @@ namespace room_outlines_test {
 
 struct Floor {
     explicit Floor(const Scene& scene) {
-        auto made = make_walk_space(scene, walk_body(scene, 0.25, 1.8, 0.25));
+        auto made = make_walk_space(scene, walker_measures(scene, 0.25, 1.8, 0.25));
         EXPECT_TRUE(made);
         space = std::move(*made);
         graph = make_rooms(scene, space);
@@ -123,7 +123,8 @@ TEST(RoomOutlines, contain_each_place_of_their_room_among_random_blocks) {
         }
         b.start({between(0.5, 6.5), between(0.5, 6.5), 0.0}, 0.0);
         const auto scene = b.share();
-        if (!make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25))) continue;  // the start is inside a block
+        if (!make_walk_space(*scene, walker_measures(*scene, 0.25, 1.8, 0.25)))
+            continue;  // the start is inside a block
         is_sound(Floor(*scene));
     }
 }

@@ -31,8 +31,9 @@ World world_of(const std::filesystem::path& path) {
     auto scene = read_world(path);
     EXPECT_TRUE(scene) << path;
     world.scene = std::move(*scene);
-    const WalkerSize size = body_size(world.scene, 0.25);
-    auto made = Navigation::make(world.scene, walk_body(world.scene, size.radius_m, size.height_m, size.step_up_m));
+    const WalkerSize size = walker_size(world.scene, 0.25);
+    auto made =
+        Navigation::make(world.scene, walker_measures(world.scene, size.radius_m, size.height_m, size.step_up_m));
     EXPECT_TRUE(made) << path;
     world.navigation = *made;
     world.graph = make_rooms(world.scene, world.navigation->space());
@@ -135,7 +136,7 @@ TEST(Rooms, are_connected_in_every_bundled_world_as_a_grid_search_finds) {
         for (const Room& room : world.graph.rooms)
             if (room.kind == RoomKind::Room) middles.push_back(room.middle_m);
         constexpr double kSide_m = 0.1;
-        test::GridTwin twin(world.scene, body_size(world.scene, 0.25), kSide_m);
+        test::GridTwin twin(world.scene, walker_size(world.scene, 0.25), kSide_m);
         for (const Vec3& middle : middles) EXPECT_TRUE(twin.flood_from(middle));
         for (std::size_t source = 0; source < middles.size(); source += test::source_stride()) {
             const Vec3 from = middles[source];
@@ -145,7 +146,7 @@ TEST(Rooms, are_connected_in_every_bundled_world_as_a_grid_search_finds) {
                 for (const auto& [begin, end] : {std::pair(from, others[i]),
                                                  // The grid search gives the same length in both directions.
                                                  std::pair(others[i], from)}) {
-                    const Route route = world.navigation->plan(begin, end, RouteWish::Shortest);
+                    const Route route = world.navigation->plan(begin, end, RoutePreference::Shortest);
                     // Routes with drops are skipped, because the grid search never steps off an edge.
                     if (route.drops) continue;
                     EXPECT_EQ(route.reaches, lengths[i].has_value()) << described(world.graph);
@@ -253,12 +254,12 @@ TEST(Rooms, are_named_by_the_map_the_person_their_contents_or_size_and_place) {
               (std::vector<std::string>{"Gone", "Second"}));
     EXPECT_EQ(graph.rooms[room_at(graph, space, {9.0, 2.5, 0.0})].name, "My kitchen");
     const RoomGraph plain = rooms_of(two_rooms(32.0));
-    std::set<std::string> told;
+    std::set<std::string> reported;
     for (const Room& room : plain.rooms) {
         EXPECT_TRUE(room.name == "room, east" || room.name == "room, west") << room.name;
-        told.insert(room.name.substr(room.name.rfind(' ') + 1));
+        reported.insert(room.name.substr(room.name.rfind(' ') + 1));
     }
-    EXPECT_EQ(told, (std::set<std::string>{"east", "west"}));
+    EXPECT_EQ(reported, (std::set<std::string>{"east", "west"}));
     // If the map gives two names in one open space, they must divide the space into two rooms.
     const std::string both =
         names + test::entity("info_room", test::key("name", "Store") + test::key("origin", "340 80 16"));

@@ -22,8 +22,8 @@ using test::GridTwin;
 using test::SceneBuilder;
 
 std::shared_ptr<Navigation> navigate(const Scene& scene) {
-    const WalkerSize size = body_size(scene, 0.25);
-    auto made = Navigation::make(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
+    const WalkerSize size = walker_size(scene, 0.25);
+    auto made = Navigation::make(scene, walker_measures(scene, size.radius_m, size.height_m, size.step_up_m));
     EXPECT_TRUE(made) << (made ? "" : made.error().message);
     return made ? *made : nullptr;
 }
@@ -56,7 +56,7 @@ struct Twins {
           wide(scene, size_by(scene, kThinner_m), side_m),
           side(side_m) {}
     static WalkerSize size_by(const Scene& scene, double more_m) {
-        WalkerSize size = body_size(scene, 0.25);
+        WalkerSize size = walker_size(scene, 0.25);
         size.radius_m += more_m;
         return size;
     }
@@ -90,10 +90,11 @@ int agrees_with(const Twins& twins, Navigation& navigation, const Vec3& from, co
     for (std::size_t i = 0; i < places.size(); ++i) {
         SCOPED_TRACE(::testing::Message() << "between " << from.x << " " << from.y << " " << from.z << " and "
                                           << places[i].x << " " << places[i].y << " " << places[i].z);
-        agree(navigation.plan(from, places[i], RouteWish::Shortest), places[i], least[i], most[i], twins.side,
+        agree(navigation.plan(from, places[i], RoutePreference::Shortest), places[i], least[i], most[i], twins.side,
               compared);
         if (back)
-            agree(navigation.plan(places[i], from, RouteWish::Shortest), from, least[i], most[i], twins.side, compared);
+            agree(navigation.plan(places[i], from, RoutePreference::Shortest), from, least[i], most[i], twins.side,
+                  compared);
     }
     return compared;
 }
@@ -178,13 +179,13 @@ TEST(Routes, can_be_walked_by_a_simulated_walker) {
     const auto navigation = navigate(scene);
     ASSERT_TRUE(navigation);
     const WalkerWorld world(test::without_doors(scene));
-    const WalkerSize size = body_size(scene, 0.25);
+    const WalkerSize size = walker_size(scene, 0.25);
     const std::vector<Vec3> places = places_beside_things(scene, *navigation);
     ASSERT_GE(places.size(), 12U);
     int walked = 0;
     for (const Vec3& to : places)
-        for (const RouteWish wish : {RouteWish::Safest, RouteWish::Shortest}) {
-            const Route route = navigation->plan(places[0], to, wish);
+        for (const RoutePreference preference : {RoutePreference::Safest, RoutePreference::Shortest}) {
+            const Route route = navigation->plan(places[0], to, preference);
             ASSERT_TRUE(route.reaches);
             Walker walker(world, size);
             walker.place(route.points_m.front());
@@ -225,8 +226,8 @@ TEST(Routes, keep_away_from_walls_if_there_is_room_and_are_hardly_longer) {
     const std::vector<Vec3> places = places_beside_things(scene, *navigation);
     for (const Vec3& from : places)
         for (const Vec3& to : places) {
-            const Route safest = navigation->plan(from, to, RouteWish::Safest),
-                        shortest = navigation->plan(from, to, RouteWish::Shortest);
+            const Route safest = navigation->plan(from, to, RoutePreference::Safest),
+                        shortest = navigation->plan(from, to, RoutePreference::Shortest);
             EXPECT_EQ(safest.reaches, shortest.reaches);
             EXPECT_LE(safest.length_m, 1.5 * shortest.length_m + 1.0);
             safest_close += near_walls(safest);
@@ -238,7 +239,7 @@ TEST(Routes, keep_away_from_walls_if_there_is_room_and_are_hardly_longer) {
     EXPECT_LT(safest_long, 1.12 * shortest_long);
 }
 
-TEST(Routes, list_the_doors_and_stairs_along_the_way_in_order) {
+TEST(Routes, list_the_doors_and_stairs_along_the_route_in_order) {
     const Scene scene = bundled("house.map");
     const auto navigation = navigate(scene);
     ASSERT_TRUE(navigation);
@@ -263,7 +264,7 @@ TEST(Routes, list_the_doors_and_stairs_along_the_way_in_order) {
     EXPECT_EQ(met, (std::vector<std::string>{"Front door", "Stairs", "Music room door"}));
 }
 
-void say_where_the_way_ends(const Scene& scene) {
+void say_where_the_route_ends(const Scene& scene) {
     const auto navigation = navigate(scene);
     ASSERT_TRUE(navigation);
     int reached = 0, not_reached = 0;
@@ -291,7 +292,7 @@ TEST(Routes, report_where_the_connection_ends_if_a_room_has_no_door) {
             entity("info_player_start", key("origin", "64 64 24")) + start("192 64 24") + start("456 64 24"),
         "shut.map");
     ASSERT_TRUE(scene) << scene.error().sentence();
-    say_where_the_way_ends(*scene);
+    say_where_the_route_ends(*scene);
 }
 
 TEST(Routes, report_where_the_connection_ends_in_real_maps) {
@@ -301,7 +302,7 @@ TEST(Routes, report_where_the_connection_ends_in_real_maps) {
         if (!path) GTEST_SKIP() << test::needs_real_world(name);
         const auto scene = read_world(*path);
         ASSERT_TRUE(scene) << scene.error().sentence();
-        say_where_the_way_ends(*scene);
+        say_where_the_route_ends(*scene);
     }
 }
 
@@ -338,14 +339,14 @@ TEST(Routes, use_lifts_in_both_directions_and_teleporters_and_drops_in_one) {
     const Route down = navigation->plan(high, low);
     ASSERT_TRUE(down.reaches);
     EXPECT_FALSE(down.drops) << "the lift is safer than jumping off";
-    EXPECT_EQ(navigation->plan(high, low, RouteWish::Shortest).passages.size(), 1U);
+    EXPECT_EQ(navigation->plan(high, low, RoutePreference::Shortest).passages.size(), 1U);
     const Route away = navigation->plan(low, cell);
     ASSERT_TRUE(away.reaches);
     EXPECT_EQ(away.passages.back().kind, PassageKind::Teleporter);
     const Route back = navigation->plan(cell, low);
     EXPECT_FALSE(back.reaches);
     EXPECT_GT(back.short_of_m, 20.0);
-    EXPECT_FALSE(navigation->plan(low, high, RouteWish::OnFoot).reaches) << "there are no stairs";
+    EXPECT_FALSE(navigation->plan(low, high, RoutePreference::OnFoot).reaches) << "there are no stairs";
 }
 
 TEST(Routes, on_foot_use_the_stairs_even_if_a_lift_is_nearer) {
@@ -359,7 +360,7 @@ TEST(Routes, on_foot_use_the_stairs_even_if_a_lift_is_nearer) {
         return std::any_of(route.passages.begin(), route.passages.end(),
                            [kind](const RoutePassage& passage) { return passage.kind == kind; });
     };
-    const Route near = navigation->plan(below, above), foot = navigation->plan(below, above, RouteWish::OnFoot);
+    const Route near = navigation->plan(below, above), foot = navigation->plan(below, above, RoutePreference::OnFoot);
     ASSERT_TRUE(near.reaches);
     ASSERT_TRUE(foot.reaches);
     EXPECT_TRUE(takes(near, PassageKind::Lift));

@@ -65,7 +65,7 @@ struct House {
     Result<WalkSpace> space() {
         b.scene().stated = std::make_shared<const StatedBuilding>(stated);
         const auto scene = b.share();
-        return make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+        return make_walk_space(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
     }
 
 private:
@@ -113,7 +113,7 @@ TEST(StatedStairs, of_each_form_can_be_walked_up_and_down) {
     for (const test::StairForm form : test::kStairForms) {
         const test::StairHouse house(form);
         const auto scene = house.share();
-        const Result<WalkSpace> space = make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+        const Result<WalkSpace> space = make_walk_space(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
         ASSERT_TRUE(space.has_value());
         EXPECT_TRUE(walks(*space, house.hall_m(), house.gallery_m())) << test::form_name(form);
         EXPECT_TRUE(walks(*space, house.gallery_m(), house.hall_m())) << test::form_name(form);
@@ -149,7 +149,7 @@ TEST(StatedStairs, are_necessary_to_climb_the_stairs_of_the_test_houses) {
         const test::StairHouse house(form);
         Scene unstated = *house.share();
         unstated.stated.reset();
-        const Result<WalkSpace> space = make_walk_space(unstated, walk_body(unstated, 0.25, 1.8, 0.25));
+        const Result<WalkSpace> space = make_walk_space(unstated, walker_measures(unstated, 0.25, 1.8, 0.25));
         ASSERT_TRUE(space.has_value());
         EXPECT_FALSE(walks(*space, house.hall_m(), house.gallery_m())) << test::form_name(form);
     }
@@ -186,7 +186,7 @@ TEST(StatedStairs, too_steep_to_walk_are_taken_in_one_go_from_bottom_to_top) {
         EXPECT_NEAR(passage->rise_m, up ? kUp_m : -kUp_m, 0.01);
         EXPECT_EQ(passage->feature, stairs);
         EXPECT_NEAR(glm::length(route.points_m.back() - to), 0.0, 0.1);
-        for (const RoutePassage& p : (*ways)->plan(from, to, RouteWish::OnFoot).passages)
+        for (const RoutePassage& p : (*ways)->plan(from, to, RoutePreference::OnFoot).passages)
             EXPECT_NE(p.kind, PassageKind::Climb);
     }
     const RoomGraph graph = make_rooms(*scene, *space);

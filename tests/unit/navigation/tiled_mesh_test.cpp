@@ -50,7 +50,7 @@ TEST(TiledMesh, finds_the_shortest_route_in_a_slalom_of_400_m) {
         const auto ways = navigate(slalom.scene());
         ASSERT_TRUE(ways);
         ASSERT_NE(ways->mesh(), nullptr);
-        const Route route = ways->plan(corners.front(), corners.back(), RouteWish::Shortest);
+        const Route route = ways->plan(corners.front(), corners.back(), RoutePreference::Shortest);
         EXPECT_TRUE(route.reaches);
         EXPECT_GE(route.length_m, length_of(corners) - 1.0) << along_x;
         EXPECT_LE(route.length_m, 1.02 * length_of(corners)) << along_x;

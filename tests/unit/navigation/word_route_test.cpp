@@ -28,8 +28,8 @@ void wall(SceneBuilder& b, const Vec3& low, const Vec3& high) {
     b.box(low, high, "wall", SolidRole::Solid, "brick", FeatureKind::Wall);
 }
 Room room_of(SceneBuilder& b) {
-    const WalkerSize size = body_size(b.scene(), 0.25);
-    auto made = Navigation::make(b.scene(), walk_body(b.scene(), size.radius_m, size.height_m, size.step_up_m));
+    const WalkerSize size = walker_size(b.scene(), 0.25);
+    auto made = Navigation::make(b.scene(), walker_measures(b.scene(), size.radius_m, size.height_m, size.step_up_m));
     EXPECT_TRUE(made);
     Room room{*made, nullptr};
     room.ground = std::make_unique<BlindGround>(room.navigation->space(), std::vector<DirectionsDoor>{});
@@ -86,7 +86,7 @@ TEST(BlindGround, stops_a_body_where_the_walker_stops_and_slides_it_where_the_wa
         const Paced paced = room.ground->walk(body, heading, far, PaceEnd::Steps, {});
         if (body.at_m.y > 5.0 || (std::abs(body.at_m.x - 5.0) < 1.2 && body.at_m.y > 3.0))
             continue;  // the walker went through the gap, or lined up with it
-        Walker walker(world, body_size(*scene, 0.25));
+        Walker walker(world, walker_size(*scene, 0.25));
         walker.place({x, y, 0.0});
         double walked_m = 0.0;
         while (walked_m < paced.walked_m - 1e-6) {
@@ -341,7 +341,7 @@ TEST(DirectionsRoute, never_leads_a_body_with_walking_errors_over_an_edge) {
     RecordProperty("seed", static_cast<int>(test::seed_of_run()));
     const auto error = [&] { return static_cast<double>(random() % 20001) / 10000.0 - 1.0; };
     for (int i = 0; i < 30; ++i) {
-        Walker walker(world, body_size(*scene, 0.25));
+        Walker walker(world, walker_size(*scene, 0.25));
         walker.place(from);
         int notch = 0;
         for (const DirectionsLeg& leg : route->legs) {

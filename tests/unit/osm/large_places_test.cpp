@@ -22,7 +22,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 
 std::shared_ptr<Navigation> ways_of(const Scene& scene) {
-    const auto made = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    const auto made = Navigation::make(scene, walker_measures(scene, 0.25, 1.8, 0.25));
     EXPECT_TRUE(made.has_value()) << made.error().sentence();
     return made ? *made : nullptr;
 }

@@ -148,7 +148,7 @@ TEST(OsmWays, with_the_same_name_are_not_numbered_in_the_list_of_rooms_either) {
         from = to;
     }
     const Scene scene = drawing.scene();
-    const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    const auto ways = Navigation::make(scene, walker_measures(scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(ways.has_value()) << ways.error().sentence();
     std::vector<std::string> names;
     for (const Room& room : make_rooms(scene, (*ways)->space()).rooms)
@@ -201,7 +201,7 @@ TEST(OsmLevelNames, match_the_file_everywhere) {
     for (const StatedStorey& storey : scene.stated->storeys) storeys.push_back(storey.name);
     EXPECT_THAT(storeys, ElementsAre("Level -2", "Level B1", "Ground floor", "Upper floor"));
     // The description of a room without a name must contain the file's name of the storey.
-    const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    const auto ways = Navigation::make(scene, walker_measures(scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(ways.has_value()) << ways.error().sentence();
     for (const Room& room : make_rooms(scene, (*ways)->space()).rooms)
         if (room.map_name.empty() && room.made.levels > 1 && room.made.thing.empty()) {
@@ -246,7 +246,7 @@ TEST(OsmLifts, are_recognised_from_a_node_in_the_rooms_of_several_levels_and_get
                     UnorderedElementsAre("Corridor 0 | Lift A, Level 0", "Corridor 1 | Lift A, Level 1",
                                          "Corridor 2 | Lift A, Level 2"));
         EXPECT_THAT(scene.report.guessed, Contains(HasSubstr("One lift is only a point")));
-        const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+        const auto ways = Navigation::make(scene, walker_measures(scene, 0.25, 1.8, 0.25));
         ASSERT_TRUE(ways.has_value()) << ways.error().sentence();
         EXPECT_TRUE((*ways)->reachable(test::room_named(scene, "Corridor 0")->at_m,
                                        test::room_named(scene, "Corridor 2")->at_m));

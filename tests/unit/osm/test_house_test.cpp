@@ -75,7 +75,7 @@ TEST(OsmHouse, can_be_walked_from_the_main_entrance_to_every_room_with_a_door) {
     ASSERT_FALSE(scene.starts.empty());
     EXPECT_TRUE(scene.starts[0].base);
     EXPECT_EQ(scene.starts[0].name, "main entrance");
-    const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    const auto ways = Navigation::make(scene, walker_measures(scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(ways.has_value()) << ways.error().sentence();
     for (const StatedRoom& room : scene.stated->rooms) {
         if (room.name.starts_with("Stairs")) continue;
@@ -115,8 +115,8 @@ TEST(OsmHouse, announces_tags_that_matter_to_blind_people_on_entering) {
 }
 
 TEST(OsmHouse, of_several_buildings_is_chosen_by_name_or_number) {
-    for (const char* wish : {"Annex", "annex", "2"}) {
-        const Scene scene = read_house(test::test_house(), wish);
+    for (const char* building : {"Annex", "annex", "2"}) {
+        const Scene scene = read_house(test::test_house(), building);
         EXPECT_EQ(scene.name, "Annex");
         ASSERT_EQ(scene.stated->rooms.size(), 1U);
         EXPECT_EQ(scene.stated->rooms[0].name, "Shed");
@@ -188,7 +188,7 @@ TEST(OsmRealFiles, include_the_rooms_and_footways_of_the_university_across_store
     EXPECT_EQ(std::count_if(scene->stated->rooms.begin(), scene->stated->rooms.end(),
                             [](const StatedRoom& room) { return room.name.empty(); }),
               0);
-    const auto ways = Navigation::make(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    const auto ways = Navigation::make(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(ways.has_value()) << ways.error().sentence();
     for (const std::string name : {"1022", "2028", "3029", "E008"}) {
         const StatedRoom* room = test::room_named(*scene, name);

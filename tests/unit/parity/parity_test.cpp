@@ -115,7 +115,7 @@ const std::vector<Row>& rows() {
          [] {
              Demo demo;
              EXPECT_GT(glm::length(demo.press().force_n), 0.5);
-             demo.loop->ask_to_stop();
+             demo.loop->request_stop();
              for (int i = 0; i < 200; ++i) {
                  demo.clock.advance_s(1e-3);
                  if (!demo.loop->step()) break;
@@ -183,11 +183,11 @@ const std::vector<Row>& rows() {
                  sum += tool.force_n * tool.contacts.contacts[i].share;
              }
              EXPECT_LT(glm::length(sum - tool.force_n), 1e-12);
-             bool told = false;
+             bool reported = false;
              demo.loop->events().consume_all([&](const ContactEvent& event) {
-                 told |= event.kind == ContactEventKind::Begin && event.feature == demo.wall;
+                 reported |= event.kind == ContactEventKind::Begin && event.feature == demo.wall;
              });
-             EXPECT_TRUE(told);
+             EXPECT_TRUE(reported);
          }},
         {"setForcesOn(bool)",
          [] {

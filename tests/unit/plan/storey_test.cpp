@@ -24,7 +24,7 @@ struct Plans {
 
 Plans plans_of(Scene scene) {
     Plans plans;
-    const auto made = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    const auto made = Navigation::make(scene, walker_measures(scene, 0.25, 1.8, 0.25));
     EXPECT_TRUE(made) << made.error().sentence();
     if (!made) return plans;
     const RoomGraph graph = make_rooms(scene, (*made)->space());

@@ -54,10 +54,10 @@ TEST(MapShapes, dynamic_things_take_their_sizes_from_their_bounding_box) {
 }
 
 TEST(MapShapes, sides_that_differ_by_more_than_5_percent_are_reported_with_file_and_line) {
-    for (const auto& [side, told] : {std::pair{33.0, false}, {33.5, false}, {34.0, true}, {64.0, true}}) {
+    for (const auto& [side, reported] : {std::pair{33.0, false}, {33.5, false}, {34.0, true}, {64.0, true}}) {
         const Reading ball = read(key("cs_name", "dynamic_sphere"), box_brush(64, 64, 0, 64 + side, 96, 32), "thing");
-        EXPECT_EQ(heard(ball, "box around this sphere"), told) << side;
-        if (told) {
+        EXPECT_EQ(heard(ball, "box around this sphere"), reported) << side;
+        if (reported) {
             EXPECT_TRUE(heard(ball, "shapes.map, line 12"));
         }
         EXPECT_NEAR(std::get<SphereShape>(ball.scene.solids.at(1).round).radius_m, 0.5, 1e-12)

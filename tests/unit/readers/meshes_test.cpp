@@ -46,7 +46,7 @@ TEST(ReadGltf, reads_files_with_embedded_or_external_buffers) {
     beside.replace(from, to - from, "table.bin");
     ReadOptions options;
     const std::string glb = seed("gltf/seeds/table.glb");
-    options.read_beside = [&](const std::string& name) -> Result<std::string> {
+    options.read_next_to = [&](const std::string& name) -> Result<std::string> {
         EXPECT_EQ(name, "table.bin");
         return glb.substr(glb.size() - 168);
     };

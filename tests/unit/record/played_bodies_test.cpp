@@ -70,7 +70,7 @@ private:
 
 // Gives the engine the session's orders in a frame: it places a walker and shoves things. Every fifty frames it gives
 // far more orders than fit into the engine's queue.
-void ask(BodyEngine& engine, int frame, std::vector<char>& answers) {
+void request(BodyEngine& engine, int frame, std::vector<char>& answers) {
     BodyEngine::Order walker;
     walker.kind = BodyEngine::Order::Kind::Walker;
     walker.at_m = Vec3(-1.0 + 0.004 * frame, 0.6, 0.0);
@@ -128,7 +128,7 @@ Seen recorded(const World& world, Recording& recording) {
         }
         if (draw() % 150 == 0) stalls_until = tick + static_cast<int>(draw() % 200);
         if (tick % 17 != 0) continue;
-        ask(engine, tick / 17, seen.answers);
+        request(engine, tick / 17, seen.answers);
         seen.read(engine);
         FrameRow frame;
         frame.tick = frame.left_tick = static_cast<std::uint64_t>(tick);
@@ -172,7 +172,7 @@ Seen computed(const World& world, const Recording& recording, bool& failed) {
             while (next[which] < row.tick && step(which)) {
             }
         bodies.session_reads(row);
-        ask(*engine, ++frame, seen.answers);
+        request(*engine, ++frame, seen.answers);
         seen.read(*engine);
     }
     failed = bodies.failed();

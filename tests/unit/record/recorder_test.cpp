@@ -34,7 +34,7 @@ void sleep_ms(long ms) { std::this_thread::sleep_for(std::chrono::milliseconds(m
 
 // Runs in the child process. Records a tick and an event each millisecond, and writes its progress to the pipe before
 // each. Never returns.
-[[noreturn]] void record_until_killed(const fs::path& folder, int tell) {
+[[noreturn]] void record_until_killed(const fs::path& folder, int report_fd) {
     SteadyClock clock;
     const double begun_s = clock.now_s();
     auto recorder = Recorder::begin(folder, head_now(begun_s));
@@ -46,7 +46,7 @@ void sleep_ms(long ms) { std::this_thread::sleep_for(std::chrono::milliseconds(m
         (*recorder)->hand(0).push(row);
         (*recorder)->said(now_s, {"Wall.", SpeechClass::Contact}, true);
         const double since_s = now_s - begun_s;
-        if (::write(tell, &since_s, sizeof since_s) != sizeof since_s) _exit(4);
+        if (::write(report_fd, &since_s, sizeof since_s) != sizeof since_s) _exit(4);
         clock.sleep_until_s(now_s + 1e-3);
     }
 }
@@ -66,8 +66,8 @@ TEST(Recorder, that_is_killed_at_any_moment_loses_no_more_than_half_a_second) {
         sleep_ms(700 + static_cast<long>(draw() % 900));
         ::kill(child, SIGKILL);
         ::waitpid(child, nullptr, 0);
-        double last_s = 0.0, told_s = 0.0;
-        while (::read(pipe[0], &told_s, sizeof told_s) == sizeof told_s) last_s = told_s;
+        double last_s = 0.0, reported_s = 0.0;
+        while (::read(pipe[0], &reported_s, sizeof reported_s) == sizeof reported_s) last_s = reported_s;
         ::close(pipe[0]);
         const auto read = read_recording(fs::directory_iterator(folder.path())->path());
         ASSERT_TRUE(read) << read.error().sentence();
@@ -140,10 +140,10 @@ TEST(Recorder, reports_how_many_ticks_did_not_fit) {
     (*recorder)->end(0.0);
     const auto read = read_recording((*recorder)->folder());
     ASSERT_TRUE(read);
-    const bool told = std::any_of(read->lines.begin(), read->lines.end(),
-                                  [](const RecordedLine& line) { return line.is == "lost_rows"; });
-    EXPECT_EQ(told, read->hands[0].size() < 40 * HandRing::kRows);
-    EXPECT_TRUE(told);
+    const bool reported = std::any_of(read->lines.begin(), read->lines.end(),
+                                      [](const RecordedLine& line) { return line.is == "lost_rows"; });
+    EXPECT_EQ(reported, read->hands[0].size() < 40 * HandRing::kRows);
+    EXPECT_TRUE(reported);
 }
 
 }  // namespace recorder_test

@@ -289,7 +289,7 @@ TEST(RecordedInput, of_every_kind_is_read_back_unchanged) {
     inputs.emplace_back(LeftHandChanged{{}});
     inputs.emplace_back(HandOffered{"Novint Falcon"});
     inputs.emplace_back(Placed{{1.0, 2.0, 1.0 / 3.0}, 0.5});
-    inputs.emplace_back(Told{"Sound goes nowhere.", SpeechClass::Alarm});
+    inputs.emplace_back(Announcement{"Sound goes nowhere.", SpeechClass::Alarm});
     SpeechTopics topics;
     topics.add(SpeechTopic::Lesson);
     inputs.emplace_back(LinesOwed{topics});

@@ -85,7 +85,7 @@ TEST(HapticScene, gives_place_and_surface_of_every_kind_of_obstacle_near_and_far
     }
 }
 
-TEST(HapticScene, stops_a_ball_at_every_kind_of_obstacle_with_the_label_of_the_face) {
+TEST(HapticScene, stops_the_proxy_at_every_kind_of_obstacle_with_the_label_of_the_face) {
     for (const Vec3& at : {Vec3(0.0), Vec3(4e5, -7e5, 3e4)}) {
         const auto scene = one_of_each(at);
         for (const auto& [x, feature] :

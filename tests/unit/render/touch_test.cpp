@@ -221,7 +221,7 @@ TEST(TouchTick, ignores_all_solids_around_the_start_until_the_hand_has_left_them
 }
 
 // Formerly, if the hand had started inside a solid, the solid let it in again while the hand was out by less than 1 mm.
-TEST(TouchTick, never_reenters_a_solid_that_the_whole_ball_has_left) {
+TEST(TouchTick, never_reenters_a_solid_that_the_whole_proxy_has_left) {
     HapticSceneBuilder builder;
     builder.add_box({{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.3}}, SurfaceLabel{kWall});
     const auto scene = builder.build();
@@ -243,7 +243,7 @@ TEST(TouchTick, never_reenters_a_solid_that_the_whole_ball_has_left) {
 }
 
 // A ramp lifts the proxy out of the solid, while the hand always stays below the solid's top.
-TEST(TouchTick, never_reenters_a_solid_that_the_ball_but_not_the_hand_has_left) {
+TEST(TouchTick, never_reenters_a_solid_that_the_proxy_but_not_the_hand_has_left) {
     HapticSceneBuilder builder;
     builder.add_box({{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.3}}, SurfaceLabel{kFloor});
     const std::vector<Vec3> ramp{{-0.1, -0.5, 0.39}, {0.1, -0.5, 0.19}, {0.1, 0.5, 0.19}, {-0.1, 0.5, 0.39}};
@@ -272,7 +272,7 @@ TEST(TouchTick, never_reenters_a_solid_that_the_ball_but_not_the_hand_has_left) 
 }
 
 // Tests case T20 of tests/property/bodies_test.cpp.
-TEST(TouchTick, starts_with_a_small_ball_in_a_tight_place_and_grows_it_smoothly) {
+TEST(TouchTick, starts_with_a_small_proxy_in_a_tight_place_and_grows_it_smoothly) {
     const auto scene = floor_and_wall();
     TouchState state;
     TouchTuning tuning;

@@ -72,8 +72,8 @@ SessionReport sample() {
                     order,
                     again,
                     {ReportTaskKind::Free, "", std::nullopt, {}},
-                    {ReportTaskKind::Ask, "How sure are you?", std::nullopt, {{"answer", 4.0}}},
-                    {ReportTaskKind::Ask, "What helped? The clock", std::nullopt, {}}};
+                    {ReportTaskKind::Question, "How sure are you?", std::nullopt, {{"answer", 4.0}}},
+                    {ReportTaskKind::Question, "What helped? The clock", std::nullopt, {}}};
     report.strategies = {{"perimeter", 300.0}, {"grid", 40.0},  {"object", 60.0},
                          {"base", 20.0},       {"mixed", 30.0}, {"none", 5.0}};
     report.course = {{0.0, "You are in the entrance hall."}, {65.4, "Door <open> & \"wide\"."}};

@@ -16,8 +16,8 @@ namespace measures_test {
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 // Returns a walk at 1 m/s along straight lines, with ten positions a second.
-std::vector<WayPoint> walk_along(const std::vector<Vec3>& corners) {
-    std::vector<WayPoint> walk{{0.0, corners.front()}};
+std::vector<WalkedPoint> walk_along(const std::vector<Vec3>& corners) {
+    std::vector<WalkedPoint> walk{{0.0, corners.front()}};
     for (std::size_t i = 1; i < corners.size(); ++i) {
         const Vec3 from = corners[i - 1], to = corners[i];
         const int steps = std::max(1, static_cast<int>(std::lround(glm::length(to - from) * 10.0)));
@@ -27,14 +27,14 @@ std::vector<WayPoint> walk_along(const std::vector<Vec3>& corners) {
     return walk;
 }
 
-TEST(WayWalked, counts_places_a_quarter_of_a_metre_apart_without_leaps_and_swaying) {
-    EXPECT_NEAR(way_walked_m(walk_along({{0, 0, 0}, {3, 0, 0}, {3, 4, 0}})), 7.0, 0.3);
-    std::vector<WayPoint> sways;
+TEST(WalkedLength, counts_places_a_quarter_of_a_metre_apart_without_leaps_and_swaying) {
+    EXPECT_NEAR(walked_length_m(walk_along({{0, 0, 0}, {3, 0, 0}, {3, 4, 0}})), 7.0, 0.3);
+    std::vector<WalkedPoint> sways;
     for (int i = 0; i < 100; ++i) sways.push_back({i * 0.1, {i % 2 == 0 ? 0.0 : 0.2, 0.0, 0.0}});
-    EXPECT_EQ(way_walked_m(sways), 0.0);
-    const std::vector<WayPoint> leaps = {{0, {0, 0, 0}}, {1, {1, 0, 0}}, {2, {50, 0, 0}, true}, {3, {51, 0, 0}}};
-    EXPECT_DOUBLE_EQ(way_walked_m(leaps), 2.0);
-    EXPECT_EQ(way_walked_m({}), 0.0);
+    EXPECT_EQ(walked_length_m(sways), 0.0);
+    const std::vector<WalkedPoint> leaps = {{0, {0, 0, 0}}, {1, {1, 0, 0}}, {2, {50, 0, 0}, true}, {3, {51, 0, 0}}};
+    EXPECT_DOUBLE_EQ(walked_length_m(leaps), 2.0);
+    EXPECT_EQ(walked_length_m({}), 0.0);
 }
 
 TEST(PathRatio, does_not_exist_for_a_short_path_or_an_unreached_goal) {
@@ -44,7 +44,7 @@ TEST(PathRatio, does_not_exist_for_a_short_path_or_an_unreached_goal) {
 }
 
 TEST(Hesitations, are_pauses_of_over_two_seconds_without_a_known_reason) {
-    std::vector<WayPoint> walk = walk_along({{0, 0, 0}, {2, 0, 0}});
+    std::vector<WalkedPoint> walk = walk_along({{0, 0, 0}, {2, 0, 0}});
     const auto stand = [&walk](double seconds) {
         for (const double until_s = walk.back().t_s + seconds; walk.back().t_s < until_s - 0.05;)
             walk.push_back({walk.back().t_s + 0.1, walk.back().place_m + Vec3(0.001, 0.0, 0.0)});

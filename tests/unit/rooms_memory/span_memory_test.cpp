@@ -67,13 +67,13 @@ constexpr double kMost_bytes = kSmall ? 300.0 : 150.0;
 TEST(SpanMemory, peaks_at_150_bytes_or_less_for_each_place_to_stand) {
     const Result<Scene> scene = read_quake_map(test::office_world(test::office_size(kBrushes)).map, "office.map");
     ASSERT_TRUE(scene);
-    const WalkerSize size = body_size(*scene, 0.25);
+    const WalkerSize size = walker_size(*scene, 0.25);
     const std::size_t before = held;
     most_held = before;
     const auto bytes_each = [&](std::size_t spans) {
         return static_cast<double>(most_held - before) / static_cast<double>(spans);
     };
-    const auto made = Navigation::make(*scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m));
+    const auto made = Navigation::make(*scene, walker_measures(*scene, size.radius_m, size.height_m, size.step_up_m));
     ASSERT_TRUE(made);
     const std::size_t spans = (*made)->space().spans.size();
     EXPECT_GT(spans, 200U * kBrushes);

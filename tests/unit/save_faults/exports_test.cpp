@@ -10,8 +10,8 @@
 #include <map>
 #include <sstream>
 
+#include "app/learners/export_gate.h"
 #include "app/learners/exported.h"
-#include "app/learners/way_out.h"
 #include "app/main/commands.h"
 #include "tests/support/environment.h"
 #include "tests/support/names.h"
@@ -101,7 +101,7 @@ TEST(ExportFaults, exported_files_of_a_learner_are_always_noted_if_they_exist) {
             ASSERT_TRUE(learners.change(made->id, [](Learner& one) {
                 one.consent(Purpose::Share) = Consent{today(), {}, {}};
             }));
-            const WayOut way = WayOut::of(learners, *learners.find("Rook"));
+            const ExportGate way = ExportGate::of(learners, *learners.find("Rook"));
             const fs::path file = home.path() / "report.html";
             bool worked = false;
             {

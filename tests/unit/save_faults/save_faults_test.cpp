@@ -48,7 +48,7 @@ struct Kept {
     // Prepares the data and returns a function that saves it. The returned function returns false if it reported a
     // failure.
     std::function<std::function<bool()>(const fs::path& folder)> change;
-    bool tells;  // true if saving reports a failure
+    bool reports;  // true if saving reports a failure
 };
 
 std::vector<Kept> all_kept() {
@@ -184,7 +184,7 @@ TEST(SaveFaults, a_disk_error_at_any_step_leaves_the_old_file_and_is_reported) {
                 }
                 SCOPED_TRACE(::testing::Message() << kept.name << ", errno " << error << " at step " << step);
                 const bool is_new = expect_whole(kept, home, before, after);
-                EXPECT_TRUE(is_new == worked || !kept.tells);
+                EXPECT_TRUE(is_new == worked || !kept.reports);
                 EXPECT_TRUE(is_new || struck);
             }
             EXPECT_GE(step, 6) << "opened, written, its mode, flushed, renamed, the folder flushed";
@@ -234,7 +234,7 @@ TEST(SaveFaults, a_disk_that_fills_up_during_a_write_leaves_the_old_file) {
         {
             const BrokenDisk broken(WriteFault::ShortThenError, 1, ENOSPC);
             const bool worked = save();
-            EXPECT_FALSE(worked && kept.tells) << kept.name;
+            EXPECT_FALSE(worked && kept.reports) << kept.name;
         }
         EXPECT_FALSE(expect_whole(kept, home, before, {})) << kept.name;
     }
@@ -243,7 +243,7 @@ TEST(SaveFaults, a_disk_that_fills_up_during_a_write_leaves_the_old_file) {
 // Returns the next allocation to try: every one up to a few hundred, then fewer and fewer.
 long next_step(long step) { return step + 1 + step / (test::kSanitizerScale < 1.0 ? 10 : 60); }
 
-enum class End { Worked, Told, NoMemory, Died };
+enum class End { Worked, Reported, NoMemory, Died };
 
 // Runs `act` in a child process in which allocation `step` fails, and all later ones if `all_after` is true. Returns
 // how the child process ended. Sets `struck` to whether it reached that allocation.
@@ -289,7 +289,7 @@ TEST(SaveFaults, running_out_of_memory_at_any_allocation_leaves_the_old_or_the_n
                 SCOPED_TRACE(::testing::Message()
                              << kept.name << ", allocation " << step << (all_after ? " and all after it" : ""));
                 const bool is_new = expect_whole(kept, home, before, after);
-                EXPECT_TRUE(is_new || end != End::Worked || !kept.tells);
+                EXPECT_TRUE(is_new || end != End::Worked || !kept.reports);
                 EXPECT_TRUE(end == End::Worked || struck);
             }
         }
@@ -419,7 +419,7 @@ struct Read {
     std::function<std::string(const fs::path& folder)> read;
 };
 
-std::string told(const Result<Scene>& scene) {
+std::string outcome(const Result<Scene>& scene) {
     if (!scene) return scene.error().sentence();
     return fmt::format("{} {} {} {}", scene->name, scene->features.size(), scene->solids.size(),
                        scene->report.warnings_in_all);
@@ -453,9 +453,9 @@ TEST(LoadFaults, running_out_of_memory_at_any_allocation_changes_no_file_and_a_l
              const auto place = read_whole_file(at / "session-old.toml").and_then(read_last_place);
              return place ? place->world.file.string() : place.error().sentence();
          }},
-        {"a map", [](const fs::path& at) { return told(read_world(at / "room.map", {})); }},
-        {"a damaged map", [](const fs::path& at) { return told(read_world(at / "odd.map", {})); }},
-        {"a damaged mesh", [](const fs::path& at) { return told(read_world(at / "odd.obj", {})); }},
+        {"a map", [](const fs::path& at) { return outcome(read_world(at / "room.map", {})); }},
+        {"a damaged map", [](const fs::path& at) { return outcome(read_world(at / "odd.map", {})); }},
+        {"a damaged mesh", [](const fs::path& at) { return outcome(read_world(at / "odd.obj", {})); }},
     };
     const auto before = home.all();
     for (const Read& one : all) {

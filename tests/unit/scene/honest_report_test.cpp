@@ -95,7 +95,7 @@ TEST(HonestReport, finds_each_kind_of_planted_fault_at_its_place) {
                      [](StatedBuilding& b) { b.rooms[1].name = b.rooms[1].number = ""; }},
              Planted{ToCheck::DoorCutFree, "something that blocked the door Kitchen door was cut away", 41,
                      [](StatedBuilding& b) { b.portals[1].opened_by_box = true; }},
-             Planted{ToCheck::RoomWithoutWay, "no door or stairs in the file lead to Stairwell 3", 30,
+             Planted{ToCheck::RoomWithoutRoute, "no door or stairs in the file lead to Stairwell 3", 30,
                      [](StatedBuilding& b) { b.portals.pop_back(); }},
          }) {
         SCOPED_TRACE(planted.words);
@@ -118,7 +118,7 @@ TEST(HonestReport, names_the_gravest_fault_first_and_the_number_of_further_ones)
     stated.portals[1].passable = false;
     const Scene scene = scene_of(std::move(stated));
     const HonestReport report = honest_report(scene);
-    EXPECT_THAT(checks(report), ElementsAre(ToCheck::ImpassableDoor, ToCheck::OddName, ToCheck::RoomWithoutWay));
+    EXPECT_THAT(checks(report), ElementsAre(ToCheck::ImpassableDoor, ToCheck::OddName, ToCheck::RoomWithoutRoute));
     EXPECT_EQ(report.check[1].at_m.x, 30.0) << "where the room is";
     EXPECT_THAT(honest_sentence(scene, report),
                 HasSubstr("Check this first: nobody can get through the door Kitchen door; then check 2 more."));

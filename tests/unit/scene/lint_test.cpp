@@ -31,7 +31,7 @@ TEST(MaterialLibrary, any_two_can_be_distinguished_by_touch) {
     const auto library = material_library();
     for (std::size_t a = 0; a < library.size(); ++a)
         for (std::size_t b = 0; b < a; ++b)
-            EXPECT_TRUE(can_be_told_apart(finish_of(library[a]), finish_of(library[b])))
+            EXPECT_TRUE(are_distinguishable(finish_of(library[a]), finish_of(library[b])))
                 << library[a].name << " and " << library[b].name;
 }
 

@@ -53,7 +53,7 @@ public:
         s_.app.apply(WorldEntered{make_ready(std::move(scene))}, 0.0);
         s_.run(0.2);
         look("entering");
-        s_.ask(Command::Exits);
+        s_.request(Command::Exits);
         look("exits");
     }
     void everything() {
@@ -68,7 +68,7 @@ public:
                 look(std::string(row.word));
                 // The second request switches input help off. Otherwise input help would explain the following keys
                 // instead of carrying them out.
-                if (row.command == Command::InputHelp) s_.ask(row.command);
+                if (row.command == Command::InputHelp) s_.request(row.command);
                 go_through_list(std::string(row.word), round);
                 s_.app.requests() = {};
             }
@@ -119,10 +119,10 @@ private:
     }
     // Puts the walker in the middle of another room.
     void to_room(int which) {
-        s_.ask(Command::PlanView);
+        s_.request(Command::PlanView);
         s_.run(0.1);
         const auto rooms = s_.app.view({}, {}).rooms;
-        s_.ask(Command::PlanView);
+        s_.request(Command::PlanView);
         if (!rooms || rooms->empty()) return;
         const DrawnRoom& room = (*rooms)[(rooms->size() / 2 + static_cast<std::size_t>(which)) % rooms->size()];
         s_.app.apply(Placed{room.middle_m, 0.4}, s_.now);

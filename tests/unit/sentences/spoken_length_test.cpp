@@ -162,13 +162,13 @@ constexpr Bound kLine{"a line of help", 7.0, kAny, kAny};
 constexpr Bound kHelp{"help that was asked for, a task", 12.0, kAny, kAny};
 // Problems of files, reports and printed texts. The limit is for each sentence, because a screen reader moves by
 // sentences.
-constexpr Bound kTold{"what is told of files or printed", 15.0, 8.0, kAny};
+constexpr Bound kReported{"what is told of files or printed", 15.0, 8.0, kAny};
 
 constexpr std::array kPassingParts{
     "direction",    "compass",       "side",           "kind",          "material", "key_name",    "room_name",
     "setting_name", "setting_topic", "setting_choice", "setting_value", "unit",     "effect_name", "device_name",
     "command_word", "list_word",     "wizard_word",    "replay_word",   "osm_kind", "imdf_kind",   "place"};
-constexpr std::array kToldParts{
+constexpr std::array kReportedParts{
     "bench",       "check",         "compile",       "desk_order",    "effect",      "error",     "export",
     "files",       "help",          "honest",        "ifc",           "imdf",        "imdf_fact", "import",
     "info",        "learner",       "lint",          "log",           "map",         "mesh",      "obj",
@@ -190,7 +190,7 @@ const Bound& bound_of(const std::string& key) {
     if ((part == "route" || part == "leg") &&
         (begins("turn_") || begins("stairs_") || begins("ramp_") || begins("straight")))
         return kPassing;
-    if (is_among(part, kToldParts) || begins("entry_")) return kTold;
+    if (is_among(part, kReportedParts) || begins("entry_")) return kReported;
     if (rest == "title") return kPassing;
     if (part == "lesson" || part == "wizard" || part == "wizard_part" || begins("help_") || begins("begin_") ||
         rest == "begin" || rest == "begun" || key == "companion.pad")

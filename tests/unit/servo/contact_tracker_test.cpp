@@ -76,9 +76,9 @@ TEST(ContactTracker, reports_sliding_every_10_ms_with_hand_speed_and_its_end_onc
     for (int i = 0; i < 200; ++i) bench.tick(touching({kWall}), Vec3(0.0), scale);
     EXPECT_EQ(bench.seen.back().kind, ContactEventKind::Slide);
     EXPECT_EQ(bench.seen.back().speed_m_per_s, 0.0);
-    const std::size_t told = bench.seen.size();
+    const std::size_t reported = bench.seen.size();
     for (int i = 0; i < 200; ++i) bench.tick(touching({kWall}), Vec3(0.0), scale);
-    EXPECT_EQ(bench.seen.size(), told);
+    EXPECT_EQ(bench.seen.size(), reported);
 }
 
 TEST(ContactTracker, follows_several_surfaces_at_once) {
@@ -104,9 +104,9 @@ TEST(ContactTracker, begin_and_end_stay_paired_with_more_surfaces_than_it_can_ho
 
 TEST(ContactTracker, reports_entering_and_leaving_liquids_without_stuttering_at_the_surface) {
     Bench bench;
-    TouchResult wet;
-    wet.liquid = kPool;
-    for (int i = 0; i < 500; ++i) bench.tick(i % 10 < 4 ? wet : TouchResult{});
+    TouchResult in_liquid;
+    in_liquid.liquid = kPool;
+    for (int i = 0; i < 500; ++i) bench.tick(i % 10 < 4 ? in_liquid : TouchResult{});
     EXPECT_EQ(bench.count(ContactEventKind::EnterLiquid, kPool), 1);
     EXPECT_EQ(bench.count(ContactEventKind::LeaveLiquid, kPool), 0);
     for (int i = 0; i < 50; ++i) bench.tick(TouchResult{});

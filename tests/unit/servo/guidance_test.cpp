@@ -285,14 +285,14 @@ void expect_the_slope_of_the_potential(GuidanceKind kind) {
 TEST(Grooves, equal_the_slope_of_a_potential_found_by_exhaustive_search) {
     expect_the_slope_of_the_potential(GuidanceKind::Grooves);
 }
-TEST(WayLines, equal_the_slope_of_a_potential_found_by_exhaustive_search) {
-    expect_the_slope_of_the_potential(GuidanceKind::WayLines);
+TEST(PathLines, equal_the_slope_of_a_potential_found_by_exhaustive_search) {
+    expect_the_slope_of_the_potential(GuidanceKind::PathLines);
 }
 
-TEST(WayLines, hold_a_hand_from_all_sides_let_it_slide_along_and_never_exceed_their_limit) {
+TEST(PathLines, hold_a_hand_from_all_sides_let_it_slide_along_and_never_exceed_their_limit) {
     std::mt19937 random(test::seed_of_run());
     std::uniform_real_distribution<double> place(-0.025, 0.025);
-    Felt felt(GuidanceKind::WayLines);
+    Felt felt(GuidanceKind::PathLines);
     for (double x = -0.018; x < -0.008; x += 1e-3) {
         EXPECT_LT(glm::length(felt.at({x, 0.0, 0.0})), 1e-12) << "on the way nothing is felt";
         EXPECT_GT(felt.at({x, 0.0, -0.003}).z, 0.2) << "from below as from above";
@@ -306,7 +306,7 @@ TEST(WayLines, hold_a_hand_from_all_sides_let_it_slide_along_and_never_exceed_th
     EXPECT_LE(most_n, Guidance::kMostForce_n);
     EXPECT_GT(most_n, 0.3);
     for (const double peak_n : {1.0, 3.3, 8.0}) {
-        Felt other(GuidanceKind::WayLines);
+        Felt other(GuidanceKind::PathLines);
         for (int i = 0; i < 2000; ++i)
             EXPECT_LE(glm::length(other.guidance.tick(other.path, {place(random), place(random), 0.0}, 1.0, peak_n,
                                                       true, kTick_s)),

@@ -115,11 +115,11 @@ TEST_F(OpenALSinkTest, the_first_sample_of_a_contact_comes_within_15_ms_of_the_t
         event.position_m = {0.0, 0.4, 0.0};
         forget();
         double stream_s = mix_s;  // time of left[0]
-        bool told = false;
+        bool reported = false;
         for (int i = 0; i < 100; ++i) {
             if (tick_s <= mix_s) {
                 std::vector<ContactEvent> events;
-                if (!told && tick_s >= touch_s) events.push_back(event), told = true;
+                if (!reported && tick_s >= touch_s) events.push_back(event), reported = true;
                 planner.tick({.now_s = tick_s, .contacts = events, .requests = {}, .listener = {}}, *sink, speech);
                 tick_s += 0.005;
             } else {

@@ -15,7 +15,7 @@ struct ReaderVoiceTest : testing::Test {
 };
 
 TEST_F(ReaderVoiceTest, is_unavailable_until_a_screen_reader_is_found) {
-    EXPECT_EQ(voice.state(), VoiceState::Gone);
+    EXPECT_EQ(voice.state(), VoiceState::Unavailable);
     EXPECT_TRUE(channel->wanted());
     voice.want(false);
     EXPECT_FALSE(channel->wanted());
@@ -64,7 +64,7 @@ TEST_F(ReaderVoiceTest, counts_as_speaking_for_a_time_proportional_to_its_letter
 TEST_F(ReaderVoiceTest, an_unread_message_is_lost_when_the_reader_disappears) {
     channel->set_state(VoiceState::Ready);
     voice.say({.text = "door"});
-    channel->set_state(VoiceState::Gone);
+    channel->set_state(VoiceState::Unavailable);
     EXPECT_FALSE(channel->take());
     voice.say({.text = "window"});
     EXPECT_FALSE(channel->take());

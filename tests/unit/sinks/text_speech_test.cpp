@@ -58,7 +58,7 @@ TEST(TextSpeech, stops_quietly_without_sigpipe_when_its_reader_is_gone) {
     TextSpeech speech(pipe.ends[1]);
     pipe.close_reader();
     for (int i = 0; i < 3; ++i) speech.say({.text = "Is anybody there?"});
-    EXPECT_TRUE(speech.reader_gone());
+    EXPECT_TRUE(speech.reader_left());
 }
 
 TEST(TextSpeech, stops_quietly_when_its_descriptor_is_closed) {
@@ -66,7 +66,7 @@ TEST(TextSpeech, stops_quietly_when_its_descriptor_is_closed) {
     ::close(closed);
     TextSpeech speech(closed);
     speech.say({.text = "Is anybody there?"});
-    EXPECT_TRUE(speech.reader_gone());
+    EXPECT_TRUE(speech.reader_left());
 }
 
 TEST(TextSpeech, stops_quietly_when_the_disk_is_full) {
@@ -74,7 +74,7 @@ TEST(TextSpeech, stops_quietly_when_the_disk_is_full) {
     if (full < 0) GTEST_SKIP() << "there is no /dev/full here";
     TextSpeech speech(full);
     speech.say({.text = "Is there room?"});
-    EXPECT_TRUE(speech.reader_gone());
+    EXPECT_TRUE(speech.reader_left());
     ::close(full);
 }
 

@@ -18,7 +18,7 @@ class PlayedVoice final : public Voice {
 public:
     explicit PlayedVoice(SpeechThrough through) : through_(through) {}
     SpeechThrough through() const override { return through_; }
-    VoiceState state() const override { return wanted ? is : VoiceState::Gone; }
+    VoiceState state() const override { return wanted ? is : VoiceState::Unavailable; }
     void want(bool w) override { wanted = w; }
     void say(const Utterance& utterance) override {
         said.push_back(utterance.text);
@@ -72,7 +72,7 @@ struct VoiceRouterTest : testing::Test {
     std::vector<std::vector<std::string>> heard() const { return {reader->said, server->said, embedded->said}; }
 
     Settings::Speech settings;
-    VoiceState reader_at_first = VoiceState::Gone, server_at_first = VoiceState::Ready;
+    VoiceState reader_at_first = VoiceState::Unavailable, server_at_first = VoiceState::Ready;
     PlayedVoice *reader = nullptr, *server = nullptr, *embedded = nullptr;
     PlayedLine *text = nullptr, *braille = nullptr;
     std::unique_ptr<VoiceRouter> router;
@@ -116,7 +116,7 @@ TEST_F(VoiceRouterTest, the_next_voice_explains_the_loss_and_speaks_what_the_los
     open();
     tick();
     router->say({.text = "You are at the base"});
-    server->is = VoiceState::Gone;
+    server->is = VoiceState::Unavailable;
     tick();
     ASSERT_EQ(router->news(), "The speech server is no longer available; speech now uses the built-in voice.");
     EXPECT_TRUE(router->speaking());
@@ -136,7 +136,7 @@ TEST_F(VoiceRouterTest, a_finished_message_is_not_repeated_when_its_voice_is_los
     router->say({.text = "North"});
     server->busy = false;
     tick();
-    server->is = VoiceState::Gone;
+    server->is = VoiceState::Unavailable;
     tick();
     EXPECT_TRUE(router->news());
     tick();
@@ -147,7 +147,7 @@ TEST_F(VoiceRouterTest, without_any_voice_it_reports_so_in_text_and_nobody_waits
     open();
     tick();
     router->say({.text = "North"});
-    server->is = embedded->is = VoiceState::Gone;
+    server->is = embedded->is = VoiceState::Unavailable;
     tick();
     EXPECT_EQ(router->news(), "The speech server is no longer available; there is only text now.");
     EXPECT_FALSE(router->speaking());
@@ -172,7 +172,7 @@ TEST_F(VoiceRouterTest, silence_drops_pending_messages) {
     open();
     tick();
     router->say({.text = "North"});
-    server->is = VoiceState::Gone;
+    server->is = VoiceState::Unavailable;
     tick();
     router->stop();
     EXPECT_TRUE(router->news());
@@ -202,7 +202,7 @@ TEST_F(VoiceRouterTest, the_setting_chooses_the_voice_and_can_be_changed_while_i
 }
 
 TEST_F(VoiceRouterTest, a_missing_voice_named_in_the_settings_is_reported) {
-    server_at_first = VoiceState::Gone;
+    server_at_first = VoiceState::Unavailable;
     open(SpeechThrough::SpeechDispatcher);
     tick();
     EXPECT_EQ(router->news(), "The speech server cannot be reached; speech uses the built-in voice instead.");

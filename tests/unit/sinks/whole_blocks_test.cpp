@@ -80,9 +80,9 @@ private:
 TEST(OpenALSinkLoopback, requests_only_whole_blocks_in_a_million_random_ticks_with_a_changing_room) {
     const std::uint32_t seed = test::seed_of_run();
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
-    long asked = 0, broken = 0;
+    long requested = 0, broken = 0;
     const auto look = [&](int frames) {
-        ++asked;
+        ++requested;
         broken += frames % 64 != 0;
     };
     FromRoomToRoom walk({.output = OpenALSink::Output::OnDemand, .on_render = look}, seed);
@@ -95,7 +95,7 @@ TEST(OpenALSinkLoopback, requests_only_whole_blocks_in_a_million_random_ticks_wi
         had += frames;
         ASSERT_EQ(broken, 0) << "tick " << i;
     }
-    EXPECT_NEAR(static_cast<double>(asked), static_cast<double>(had) / 64.0, 1.0);
+    EXPECT_NEAR(static_cast<double>(requested), static_cast<double>(had) / 64.0, 1.0);
 }
 
 TEST(OpenALSinkLoopback, renders_unheard_samples_in_whole_blocks_and_loses_none) {

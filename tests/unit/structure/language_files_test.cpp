@@ -135,10 +135,10 @@ TEST(LanguageFiles, are_complete_and_use_the_same_placeholders) {
         const auto texts = texts_of(language.code);
         for (const auto& [key, pattern] : english) {
             ASSERT_TRUE(texts.contains(key)) << language.code << ".toml lacks " << key;
-            std::vector<std::string> asked, offered;
+            std::vector<std::string> named, offered;
             EXPECT_EQ(pattern_fault(pattern, &offered), "") << key;
-            EXPECT_EQ(pattern_fault(texts.at(key), &asked), "") << language.code << ": " << key;
-            EXPECT_TRUE(std::includes(offered.begin(), offered.end(), asked.begin(), asked.end()))
+            EXPECT_EQ(pattern_fault(texts.at(key), &named), "") << language.code << ": " << key;
+            EXPECT_TRUE(std::includes(offered.begin(), offered.end(), named.begin(), named.end()))
                 << language.code << ": " << key << " asks for other values";
             EXPECT_EQ(texts.at(key).empty(), pattern.empty()) << language.code << ": " << key;
         }

@@ -29,7 +29,7 @@ TEST(Desk, accepts_commands_shows_lines_and_ends_with_the_session) {
     struct stat made {};
     ASSERT_EQ(::stat(path.c_str(), &made), 0);
     EXPECT_EQ(made.st_mode & 0077U, 0U);
-    (*desk)->tell("Entrance hall. 2 of 9 walls done.");
+    (*desk)->send("Entrance hall. 2 of 9 walls done.");
     std::array<int, 2> typed{};
     ASSERT_EQ(::pipe(typed.data()), 0);
     std::ostringstream out, err;
@@ -42,7 +42,7 @@ TEST(Desk, accepts_commands_shows_lines_and_ends_with_the_session) {
         for (std::string& one : (*desk)->take_orders()) orders.push_back(std::move(one));
         return orders.size() >= 2;
     });
-    (*desk)->tell("Done.");
+    (*desk)->send("Done.");
     desk->reset();
     watching.join();
     ::close(typed[0]);
@@ -89,9 +89,9 @@ public:
     }
     // Waits until the other side has disconnected, and returns everything that the other side sent. A test may call
     // this only once.
-    const std::string& told() {
+    const std::string& received() {
         serving_.join();
-        return told_;
+        return received_;
     }
 
 private:
@@ -100,12 +100,12 @@ private:
         const int come = ::accept(listening_, nullptr, nullptr);
         EXPECT_EQ(::send(come, title.data(), title.size(), 0), static_cast<ssize_t>(title.size()));
         char byte = 0;
-        while (::recv(come, &byte, 1, 0) == 1 && byte != '\n') told_ += byte;
+        while (::recv(come, &byte, 1, 0) == 1 && byte != '\n') received_ += byte;
         ::close(come);
     }
     std::latch ready_{1};
     int listening_;
-    std::string told_;
+    std::string received_;
     std::thread serving_;
 };
 
@@ -115,7 +115,7 @@ TEST(Desk, lessons_can_be_chosen_by_number) {
     std::array<int, 2> typed{};
     ASSERT_EQ(::pipe(typed.data()), 0);
     std::ostringstream out, err;
-    std::string first_told, second_told;
+    std::string first_received, second_received;
     {
         OtherDesk first(folder.path() / "1.sock", "Lesson in school\n"),
             second(folder.path() / "2.sock", "Lesson at home\n");
@@ -123,12 +123,12 @@ TEST(Desk, lessons_can_be_chosen_by_number) {
         ASSERT_EQ(::write(typed[1], lines.data(), lines.size()), static_cast<ssize_t>(lines.size()));
         EXPECT_EQ(watch_desk(folder.path(), typed[0], out, err), 0) << err.str();
         ::close(typed[1]);
-        first_told = first.told();
-        second_told = second.told();
+        first_received = first.received();
+        second_received = second.received();
     }
     ::close(typed[0]);
-    EXPECT_EQ(second_told, "next") << out.str();
-    EXPECT_EQ(first_told, "");
+    EXPECT_EQ(second_received, "next") << out.str();
+    EXPECT_EQ(first_received, "");
     EXPECT_TRUE(out.str().starts_with("2 lessons are under way.")) << out.str();
     EXPECT_NE(out.str().find("1. Lesson in school\n2. Lesson at home\n"), std::string::npos) << out.str();
 }

@@ -82,24 +82,24 @@ TEST(LessonFileRead, reads_its_own_text_back_unchanged) {
 
 TEST(LessonFileRead, reports_each_mistake_with_its_line_and_the_probable_meaning) {
     const Given given;
-    const auto told = [&](const std::string& what, const std::string& by, const std::string& line,
-                          const std::string& words) {
+    const auto reports = [&](const std::string& what, const std::string& by, const std::string& line,
+                             const std::string& words) {
         const std::string sentence = given.refused(what, by);
         EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
         EXPECT_NE(sentence.find(line), std::string::npos) << sentence;
     };
-    told("minutes = 15", "minuts = 15", "line 23", "minutes");
-    told("do = \"learn\"", "do = \"lern\"", "line 25", "learn");
-    told("route = \"to the utility room\"", "route = \"to the utilty room\"", "line 43", "to the utility room");
-    told("help_percent = [100, 60, 30, 0]", "help_percent = [100, 160]", "line 45", "0 to 100");
-    told("world = \"box.map\"", "world = \"bax.map\"", "line 4", "bax.map");
-    told("\"workspace.scale\" = 60", "\"haptic.max_force_n\" = 60", "line 9", "may not set");
-    told("place_m = [2.1, 6.2, 0.0]\n\n", "place_m = [2.1, inf, 0.0]\n\n", "line 15", "finite");
-    told("session = \"Walls\"", "session = \"Wals\"", "line 65", "Walls");
-    told("strategy = \"perimeter\"", "strategy = \"perimetre\"", "line 70", "perimeter");
-    told("scale = [1, 7]", "scale = [7, 7]", "line 61", "different");
-    told("handrail_lesson = 1", "handrail_lesson = 2", "line 1", "must be 1");
-    told("thing = \"Grandfather clock\"", "thing = \"Turn \\\"to\\\" the utility room\"", "line 13", "twice");
+    reports("minutes = 15", "minuts = 15", "line 23", "minutes");
+    reports("do = \"learn\"", "do = \"lern\"", "line 25", "learn");
+    reports("route = \"to the utility room\"", "route = \"to the utilty room\"", "line 43", "to the utility room");
+    reports("help_percent = [100, 60, 30, 0]", "help_percent = [100, 160]", "line 45", "0 to 100");
+    reports("world = \"box.map\"", "world = \"bax.map\"", "line 4", "bax.map");
+    reports("\"workspace.scale\" = 60", "\"haptic.max_force_n\" = 60", "line 9", "may not set");
+    reports("place_m = [2.1, 6.2, 0.0]\n\n", "place_m = [2.1, inf, 0.0]\n\n", "line 15", "finite");
+    reports("session = \"Walls\"", "session = \"Wals\"", "line 65", "Walls");
+    reports("strategy = \"perimeter\"", "strategy = \"perimetre\"", "line 70", "perimeter");
+    reports("scale = [1, 7]", "scale = [7, 7]", "line 61", "different");
+    reports("handrail_lesson = 1", "handrail_lesson = 2", "line 1", "must be 1");
+    reports("thing = \"Grandfather clock\"", "thing = \"Turn \\\"to\\\" the utility room\"", "line 13", "twice");
 }
 
 TEST(LessonFileRead, refuses_more_than_a_lesson_can_hold) {

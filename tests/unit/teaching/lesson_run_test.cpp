@@ -191,8 +191,8 @@ TEST(LessonTaught, blocks_a_door_and_detects_that_the_learner_took_another_route
     // The learner walks to the lift and then along the shortest planned detour. The lap ends when the learner is a
     // metre and a half from the stop.
     constexpr double kArrived_m = 1.5;
-    const double shortest_m = level_way_m(shortest.points_m) - kArrived_m;
-    const double to_lift_m = level_way_m(to_lift.points_m), round_m = level_way_m(round.points_m) - kArrived_m;
+    const double shortest_m = level_length_m(shortest.points_m) - kArrived_m;
+    const double to_lift_m = level_length_m(to_lift.points_m), round_m = level_length_m(round.points_m) - kArrived_m;
     EXPECT_GT((to_lift_m + round_m) / shortest_m, 1.1) << "that was no way round";
     EXPECT_NEAR(lap.measures.at("path_ratio"), (to_lift_m + round_m) / shortest_m, 0.07);
     // The lesson measures the path between places that are a quarter metre apart. So the measured length is up to a
@@ -530,7 +530,7 @@ TEST(LessonInItsWorld, is_refused_if_it_names_things_that_do_not_exist) {
     EXPECT_NE(refused(wrong).find("Trophy case"), std::string::npos) << refused(wrong);
 }
 
-TEST(LessonInItsWorld, may_ask_for_any_thing_of_the_world_except_under_the_learners_feet) {
+TEST(LessonInItsWorld, may_request_any_thing_of_the_world_except_under_the_learners_feet) {
     LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
     lesson.sessions[0].steps[1].to = {"Lift door"};  // the lift door is neither a landmark nor a stop
     const auto world = taught(lesson, school()->scene());

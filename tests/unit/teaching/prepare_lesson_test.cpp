@@ -118,7 +118,7 @@ TEST(PreparingALesson, saves_no_lesson_without_a_landmark_or_a_route) {
 
 // The question must list the landmarks in the order of the route, in whatever order the instructor chose them. It must
 // never include the landmark at the learner's feet.
-TEST(PreparingALesson, asks_for_the_landmarks_in_the_order_of_the_route) {
+TEST(PreparingALesson, queries_the_landmarks_in_the_order_of_the_route) {
     const auto scene = test::world_once(kSchool);
     const auto order_after = [&](const std::vector<const char*>& landmarks) {
         Instructor instructor(scene);

@@ -252,17 +252,17 @@ TEST(TerminalSends, exactly_the_keys_that_have_an_escape_sequence) {
         note(std::string("\x1b") + static_cast<char>(byte));
     }
     for (const Sequence& sequence : xterm_sequences()) note(sequence.bytes);
-    std::set<std::string> asked;
-    const auto ask = [&](std::string_view names) {
+    std::set<std::string> all_names;
+    const auto add_names = [&](std::string_view names) {
         std::istringstream words{std::string(names)};
-        for (std::string name; words >> name;) asked.insert(name);
+        for (std::string name; words >> name;) all_names.insert(name);
     };
-    for (const CommandInfo& row : command_table()) ask(row.key);
+    for (const CommandInfo& row : command_table()) add_names(row.key);
     for (const KeyboardHand hand : {KeyboardHand::Left, KeyboardHand::Right})
-        for (const SetKeys& row : keys_for(hand)) ask(row.keys);
-    EXPECT_GT(asked.size(), 120U);
+        for (const SetKeys& row : keys_for(hand)) add_names(row.keys);
+    EXPECT_GT(all_names.size(), 120U);
     int cannot = 0;
-    for (const std::string& name : asked) {
+    for (const std::string& name : all_names) {
         EXPECT_EQ(terminal_sends(name), sent.contains(name)) << name;
         cannot += !terminal_sends(name);
     }

@@ -47,21 +47,21 @@ TEST(TypedSentences, of_every_command_are_understood_as_that_command_in_every_la
     }
 }
 
-struct Asked {
+struct Typed {
     const char* typed;
     Command command;
     int times = 1;
     const char* choice = "";
 };
 
-void expect_understood(std::initializer_list<Asked> all) {
-    for (const Asked& asked : all) {
-        const auto line = parse_terminal_line(asked.typed);
-        ASSERT_TRUE(line) << asked.typed << ": " << line.error().message;
-        ASSERT_TRUE(line->command) << asked.typed;
-        EXPECT_EQ(*line->command, asked.command) << asked.typed << " is " << info(*line->command).word;
-        EXPECT_EQ(line->times, asked.times) << asked.typed;
-        EXPECT_EQ(line->choice, asked.choice) << asked.typed;
+void expect_understood(std::initializer_list<Typed> all) {
+    for (const Typed& line_typed : all) {
+        const auto line = parse_terminal_line(line_typed.typed);
+        ASSERT_TRUE(line) << line_typed.typed << ": " << line.error().message;
+        ASSERT_TRUE(line->command) << line_typed.typed;
+        EXPECT_EQ(*line->command, line_typed.command) << line_typed.typed << " is " << info(*line->command).word;
+        EXPECT_EQ(line->times, line_typed.times) << line_typed.typed;
+        EXPECT_EQ(line->choice, line_typed.choice) << line_typed.typed;
     }
 }
 
@@ -99,7 +99,7 @@ TEST(TypedSentences, of_a_newcomer_are_understood_in_english) {
                        {"stop everything", Command::StopEverything},
                        {"go home", Command::Home},
                        {"take me", Command::TakeMe},
-                       {"rest of way", Command::RestOfWay},
+                       {"rest of way", Command::RestOfRoute},
                        {"set a mark", Command::DropMark},
                        {"goodbye", Command::Leave}});
 }

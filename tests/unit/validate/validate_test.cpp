@@ -37,8 +37,8 @@ TEST(Validate, finds_no_fault_in_scenes_made_from_worlds) {
             const auto touch = validate(*compile_haptic(scene, exploring(rounding_m)));
             EXPECT_TRUE(touch) << touch.error().message;
         }
-        const WalkerSize size = body_size(scene, 0.25);
-        const auto made = Navigation::make(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
+        const WalkerSize size = walker_size(scene, 0.25);
+        const auto made = Navigation::make(scene, walker_measures(scene, size.radius_m, size.height_m, size.step_up_m));
         if (!made) continue;  // this world has no walkable area
         const auto space = validate((*made)->space());
         EXPECT_TRUE(space) << space.error().message;
@@ -77,8 +77,8 @@ TEST(Validate, finds_every_kind_of_damage_in_a_haptic_scene) {
 
 TEST(Validate, finds_every_kind_of_damage_in_routes_and_rooms) {
     const Scene scene = world("tests/scenarios/worlds/two_rooms_door.map");
-    const WalkerSize size = body_size(scene, 0.25);
-    const auto made = Navigation::make(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
+    const WalkerSize size = walker_size(scene, 0.25);
+    const auto made = Navigation::make(scene, walker_measures(scene, size.radius_m, size.height_m, size.step_up_m));
     ASSERT_TRUE(made);
     const WalkSpace space = (*made)->space();
     const RoomGraph graph = make_rooms(scene, space);

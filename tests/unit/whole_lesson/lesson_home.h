@@ -43,10 +43,10 @@ public:
         const std::string line = words + "\n";
         if (::send(socket_, line.data(), line.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(line.size())) return {};
         sitting.live(0.5);
-        std::string told(4096, '\0');
-        const ssize_t got = ::recv(socket_, told.data(), told.size(), MSG_DONTWAIT);
-        told.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
-        return told;
+        std::string reported(4096, '\0');
+        const ssize_t got = ::recv(socket_, reported.data(), reported.size(), MSG_DONTWAIT);
+        reported.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+        return reported;
     }
 
 private:

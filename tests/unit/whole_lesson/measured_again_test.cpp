@@ -611,12 +611,12 @@ TEST_P(MeasuredAgain, from_the_recording_of_a_lesson_all_results_match_what_was_
         const auto& [kind, ranges] = again[i];
         const ReportTask& task = report->tasks[i + 1];
         std::size_t compared = 0;
-        for (const ReportMeasure& told : task.measures) {
-            if (not_summed(told.key)) continue;
-            const auto at = ranges.find(told.key);
-            ASSERT_NE(at, ranges.end()) << kind << ": nothing gives " << told.key << " " << told.value;
-            EXPECT_GE(told.value, at->second.least) << kind << " " << i << ": " << told.key;
-            EXPECT_LE(told.value, at->second.most) << kind << " " << i << ": " << told.key;
+        for (const ReportMeasure& reported : task.measures) {
+            if (not_summed(reported.key)) continue;
+            const auto at = ranges.find(reported.key);
+            ASSERT_NE(at, ranges.end()) << kind << ": nothing gives " << reported.key << " " << reported.value;
+            EXPECT_GE(reported.value, at->second.least) << kind << " " << i << ": " << reported.key;
+            EXPECT_LE(reported.value, at->second.most) << kind << " " << i << ": " << reported.key;
             ++compared;
         }
         EXPECT_EQ(compared + (ranges.contains("reached") ? 1 : 0), ranges.size()) << kind << ": one is not told";

@@ -38,8 +38,8 @@ Sitting::Sitting(ExploreArguments arguments)
            {.executor = on_threads(),
             .records_in = arguments_.common.data_folder(),
             .arrivals = recording_->arrivals()}),
-      say_(clock_, [this](std::string text, double asked_s) {
-          app_.apply(Told{std::move(text), SpeechClass::Answer}, asked_s);
+      say_(clock_, [this](std::string text, double requested_s) {
+          app_.apply(Announcement{std::move(text), SpeechClass::Answer}, requested_s);
           driver_->hand_over();
       }) {
     SoundOutputs outputs;
@@ -58,8 +58,8 @@ Sitting::Sitting(ExploreArguments arguments)
                                  [this](double now_s, const ToolState&, const ToolState&) {
                                      const auto events = recording_->ticked(app_, now_s, {}, {});
                                      lesson_->see(events);
-                                     if (beside_)
-                                         beside_events_.insert(beside_events_.end(), events.begin(), events.end());
+                                     if (second_run_)
+                                         second_events_.insert(second_events_.end(), events.begin(), events.end());
                                  },
                              .take_settings =
                                  [this](const auto& changes) {
@@ -74,7 +74,7 @@ Sitting::Sitting(ExploreArguments arguments)
     for (std::string& words : news_) say_(std::move(words), begun_s_);
     LoadedWorld loaded;
     loaded.entering = world_of(*arguments_.world);
-    loaded.asked = loaded.request = worlds_->first();
+    loaded.requested = loaded.request = worlds_->first();
     worlds_->enter(std::move(loaded), begun_s_);
 }
 
@@ -103,9 +103,9 @@ void Sitting::frame() {
     const double now_s = in_whole_microseconds(clock_.now_s());
     worlds_->change(now_s);
     lesson_->turn(sound_->speaking(), now_s);
-    if (beside_ && now_s - taught_s_ >= kTurn_s - 1e-6) {
+    if (second_run_ && now_s - taught_s_ >= kTurn_s - 1e-6) {
         taught_s_ = now_s;
-        teach_on(*beside_, app_, std::exchange(beside_events_, {}), now_s);
+        teach_on(*second_run_, app_, std::exchange(second_events_, {}), now_s);
     }
     driver_->tick(now_s, {});
     worlds_->note_place(now_s);

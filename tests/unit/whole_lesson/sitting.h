@@ -69,7 +69,7 @@ public:
     bool hears(const std::string& words, double within_s = 20.0);
     std::string all() const;
     // Also teaches `run`, another lesson, in parallel with that of the arguments. Null ends the second lesson.
-    void teach(TeachingRun* run) { beside_ = run; }
+    void teach(TeachingRun* run) { second_run_ = run; }
 
     Session& app() { return app_; }
     double now_s() const { return clock_.now_s(); }
@@ -94,8 +94,8 @@ private:
     const SessionVoice say_;
     std::unique_ptr<WorldVisits> worlds_;
     std::unique_ptr<LessonHere> lesson_;
-    TeachingRun* beside_ = nullptr;
-    std::vector<SessionEvent> beside_events_;
+    TeachingRun* second_run_ = nullptr;
+    std::vector<SessionEvent> second_events_;
     std::vector<double> aside_m_;
     long frames_ = 0, steps_ = 0;
     double taught_s_ = -1e9, begun_s_ = 0.0;

@@ -21,13 +21,13 @@ HeldFalcon::HeldFalcon(VirtualClock& clock) : clock_(clock) {
     emulator.homes_by_moving = true;
     FalconOptions options;
     options.firmware_files = {folder_.write("nvent_firmware.bin", std::string(image.begin(), image.end()))};
-    options.tell = [this](const std::string& sentence) { tell_(sentence); };
+    options.report = [this](const std::string& sentence) { report_(sentence); };
     device_ = std::make_unique<FalconDevice>(std::make_unique<DirectFalconLink>(emulator, clock_), clock_, options);
     aim(Vec3(0.0));
 }
 
-Result<void> HeldFalcon::open(const std::function<void(const std::string&)>& tell) {
-    tell_ = tell;
+Result<void> HeldFalcon::open(const std::function<void(const std::string&)>& report) {
+    report_ = report;
     return device_->open();
 }
 
@@ -128,19 +128,19 @@ void BriskPerson::go(const Vec3& to_share) {
 }
 
 void BriskPerson::answer_one() {
-    if (rig_.asks("Headphones?")) return rig_.key("Left");
-    if (rig_.asks("Is the bell on your right now")) return rig_.key("Right");
-    if (rig_.asks("Rest your arm")) return go({0.0, -0.9, 0.0});
-    if (rig_.asks("Push the grip in")) return go({0.0, 0.6, 0.0});
-    if (rig_.asks("Which hand")) return go({-0.6, 0.0, 0.0});
-    if (rig_.asks("I will press")) {
-        while (rig_.force_n() < felt_n && rig_.asks("I will press")) advance();
+    if (rig_.question_begins("Headphones?")) return rig_.key("Left");
+    if (rig_.question_begins("Is the bell on your right now")) return rig_.key("Right");
+    if (rig_.question_begins("Rest your arm")) return go({0.0, -0.9, 0.0});
+    if (rig_.question_begins("Push the grip in")) return go({0.0, 0.6, 0.0});
+    if (rig_.question_begins("Which hand")) return go({-0.6, 0.0, 0.0});
+    if (rig_.question_begins("I will press")) {
+        while (rig_.force_n() < felt_n && rig_.question_begins("I will press")) advance();
         wait(0.2);
         held_->button(true);
         wait(0.1);
         return held_->button(false);
     }
-    if (rig_.asks("Now you will feel a wall")) {
+    if (rig_.question_begins("Now you will feel a wall")) {
         go({-0.2, -0.3, 0.0});
         go({-0.2, 0.6, 0.0});
         wait(1.0);
@@ -148,13 +148,13 @@ void BriskPerson::answer_one() {
         wait(2.0);
         return rig_.key("Enter");
     }
-    if (rig_.asks("Move the grip as far")) {
+    if (rig_.question_begins("Move the grip as far")) {
         for (const Vec3& side : {Vec3(0.8, 0.0, 0.0), Vec3(-0.6, 0.0, 0.0), Vec3(0.0, 0.6, 0.0), Vec3(0.0, -0.7, 0.0),
                                  Vec3(0.0, 0.0, 0.6), Vec3(0.0, 0.0, -0.4)})
             go(side), wait(0.3);
         return rig_.key("Enter");
     }
-    if (rig_.asks("Your step is"))
+    if (rig_.question_begins("Your step is"))
         for (const char* key : {"6", "5"}) rig_.key(key);
     rig_.key("Enter");
 }

@@ -15,7 +15,7 @@ namespace handrail::test {
 class HeldDevice {
 public:
     virtual ~HeldDevice() = default;
-    virtual Result<void> open(const std::function<void(const std::string&)>& tell) = 0;
+    virtual Result<void> open(const std::function<void(const std::string&)>& report) = 0;
     virtual HandFacts facts() const = 0;
     virtual HapticDevice& device() = 0;
     // Sets the place that the hand tries to keep, in the device's frame.
@@ -55,7 +55,7 @@ private:
 class HeldFalcon final : public HeldDevice {
 public:
     explicit HeldFalcon(VirtualClock& clock);
-    Result<void> open(const std::function<void(const std::string&)>& tell) override;
+    Result<void> open(const std::function<void(const std::string&)>& report) override;
     HandFacts facts() const override { return {true, false, *find_device_spec("falcon"), "A9001"}; }
     HapticDevice& device() override { return *device_; }
     void aim(const Vec3& at_m) override { emulator.grip_m = {at_m.x, at_m.z, 0.125 - at_m.y}; }
@@ -70,7 +70,7 @@ public:
 private:
     VirtualClock& clock_;
     TemporaryFolder folder_;
-    std::function<void(const std::string&)> tell_;
+    std::function<void(const std::string&)> report_;
     std::unique_ptr<FalconDevice> device_;
 };
 
@@ -92,7 +92,7 @@ public:
         run_until([] { return false; }, for_s);
     }
     void key(std::string_view name) { session.press(name, now_s()); }
-    bool asks(std::string_view beginning) const { return wizard().question().starts_with(beginning); }
+    bool question_begins(std::string_view beginning) const { return wizard().question().starts_with(beginning); }
     const Wizard& wizard() const { return session.wizard(); }
     std::vector<std::string> said() const;
     bool has_said(std::string_view words) const;

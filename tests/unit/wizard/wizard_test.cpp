@@ -180,7 +180,7 @@ TEST(Wizard, corrects_swapped_headphones_at_once) {
     rig.key("Right");
     rig.run(0.1);
     EXPECT_TRUE(rig.store.values().sound.swap_sides);
-    EXPECT_TRUE(rig.asks("Are you wearing headphones?")) << "asked once more";
+    EXPECT_TRUE(rig.question_begins("Are you wearing headphones?")) << "asked once more";
     rig.key("Left");
     rig.run(0.1);
     EXPECT_GT(side_of_last_bell(), 0.0);
@@ -194,13 +194,13 @@ TEST(Wizard, skips_the_question_about_ears_without_sound) {
     rig.sense.audible = false;
     rig.run(0.1);
     EXPECT_TRUE(rig.has_said("There is no sound device"));
-    EXPECT_TRUE(rig.asks("Your step is"));
+    EXPECT_TRUE(rig.question_begins("Your step is"));
 }
 
 TEST(Wizard, on_escape_explains_and_removes_the_force_and_ends_on_a_second_press) {
     HeldSimulated held;
     WizardRig rig("gentlest,step", &held);
-    ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little. Then I will press"); }));
+    ASSERT_TRUE(rig.run_until([&] { return rig.question_begins("Move the grip a little. Then I will press"); }));
     held.aim({0.0, 0.0, 0.01});
     ASSERT_TRUE(rig.run_until([&] { return rig.force_n() > 0.3; })) << joined(rig.said());
     rig.key("Escape");
@@ -221,7 +221,7 @@ TEST(Wizard, on_escape_explains_and_removes_the_force_and_ends_on_a_second_press
 TEST(Wizard, removes_all_force_at_once_on_the_stop_key) {
     HeldSimulated held;
     WizardRig rig("gentlest", &held);
-    ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little"); }));
+    ASSERT_TRUE(rig.run_until([&] { return rig.question_begins("Move the grip a little"); }));
     held.aim({0.0, 0.0, 0.01});
     ASSERT_TRUE(rig.run_until([&] { return rig.force_n() > 0.3; }));
     rig.key("F12");
@@ -237,7 +237,7 @@ TEST(Wizard, removes_all_force_at_once_on_the_stop_key) {
 TEST(Wizard, presses_in_small_steps_of_at_most_one_newton_and_releases_if_nobody_answers) {
     HeldSimulated held;
     WizardRig rig("gentlest", &held);
-    ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little"); }));
+    ASSERT_TRUE(rig.run_until([&] { return rig.question_begins("Move the grip a little"); }));
     rig.run(10.0);
     EXPECT_EQ(rig.largest_force_n, 0.0) << "no force before a hand has moved";
     held.aim({0.0, 0.0, 0.01});
@@ -255,7 +255,7 @@ TEST(Wizard, presses_in_small_steps_of_at_most_one_newton_and_releases_if_nobody
 TEST(Wizard, keeps_the_default_if_answered_before_anything_can_be_felt) {
     HeldSimulated held;
     WizardRig rig("gentlest", &held);
-    ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little"); }));
+    ASSERT_TRUE(rig.run_until([&] { return rig.question_begins("Move the grip a little"); }));
     rig.key("Enter");
     rig.run(0.1);
     EXPECT_EQ(rig.profile().gentlest_n, 0.3);
@@ -264,7 +264,7 @@ TEST(Wizard, keeps_the_default_if_answered_before_anything_can_be_felt) {
 TEST(Wizard, chooses_the_ceiling_in_three_steps_or_finely_and_raises_limits_in_its_way) {
     HeldSimulated held;
     WizardRig rig("strongest", &held);
-    ASSERT_TRUE(rig.run_until([&] { return rig.asks("Now you will feel a wall"); }));
+    ASSERT_TRUE(rig.run_until([&] { return rig.question_begins("Now you will feel a wall"); }));
     EXPECT_THAT(std::string(rig.wizard().question()), HasSubstr("Force: light, 1.2 newtons"));
     for (const char* key : {"Up", "Up", "Up", "Left", "Left"}) {
         rig.key(key);
@@ -286,20 +286,20 @@ TEST(Wizard, goes_back_one_question_on_backspace_and_on_up_if_up_changes_nothing
     EXPECT_TRUE(rig.has_said("This is the first question."));
     rig.key("Enter");
     rig.run(0.1);
-    EXPECT_TRUE(rig.asks("Is the bell on your right now"));
+    EXPECT_TRUE(rig.question_begins("Is the bell on your right now"));
     rig.key("Up");
     rig.run(0.1);
-    EXPECT_TRUE(rig.asks("Are you wearing headphones?"));
+    EXPECT_TRUE(rig.question_begins("Are you wearing headphones?"));
     rig.key("Enter");
     rig.key("Enter");
     rig.run(0.1);
-    ASSERT_TRUE(rig.asks("Your step is 70"));
+    ASSERT_TRUE(rig.question_begins("Your step is 70"));
     rig.key("Up");
     rig.run(0.1);
-    EXPECT_TRUE(rig.asks("Your step is 75"));
+    EXPECT_TRUE(rig.question_begins("Your step is 75"));
     rig.key("Backspace");
     rig.run(0.1);
-    EXPECT_TRUE(rig.asks("Is the bell on your right now"));
+    EXPECT_TRUE(rig.question_begins("Is the bell on your right now"));
 }
 
 TEST(Wizard, accepts_a_step_in_metres_centimetres_or_as_ten_steps_and_refuses_invalid_ones) {
@@ -324,14 +324,14 @@ TEST(Wizard, accepts_a_step_in_metres_centimetres_or_as_ten_steps_and_refuses_in
 TEST(Wizard, continues_without_an_unplugged_device_and_without_its_force) {
     HeldSimulated held;
     WizardRig rig("gentlest,strongest,step", &held);
-    ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little"); }));
+    ASSERT_TRUE(rig.run_until([&] { return rig.question_begins("Move the grip a little"); }));
     held.aim({0.0, 0.0, 0.01});
     ASSERT_TRUE(rig.run_until([&] { return rig.force_n() > 0.2; }));
     DeviceTrouble unplugged;
     unplugged.unplugged = true;
     held.hand->trouble.publish(unplugged);
     rig.run(0.1);
-    EXPECT_TRUE(rig.asks("Your step is"));
+    EXPECT_TRUE(rig.question_begins("Your step is"));
     EXPECT_EQ(rig.force_n(), 0.0);
     EXPECT_TRUE(
         rig.run_until([&] { return rig.has_said("The touch device was unplugged. I will go on without it."); }, 10.0))
@@ -344,7 +344,7 @@ TEST(Wizard, announces_a_latched_fault_which_enter_or_the_force_key_confirms) {
         SCOPED_TRACE(key);
         HeldSimulated held;
         WizardRig rig("gentlest", &held);
-        ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little"); }));
+        ASSERT_TRUE(rig.run_until([&] { return rig.question_begins("Move the grip a little"); }));
         held.aim({0.0, 0.0, 0.01});
         ASSERT_TRUE(rig.run_until([&] { return rig.force_n() > 0.2; }));
         DeviceTrouble trouble;
@@ -365,16 +365,16 @@ TEST(Wizard, does_only_the_requested_parts_and_homes_only_an_unhomed_device) {
     HeldSimulated held;
     WizardRig rig("reach,hand", &held);
     ASSERT_TRUE(rig.run_until([&] { return rig.wizard().waits_for_person() && !rig.wizard().question().empty(); }));
-    EXPECT_TRUE(rig.asks("Which hand"));
+    EXPECT_TRUE(rig.question_begins("Which hand"));
     rig.key("Enter");
     rig.run(0.1);
-    EXPECT_TRUE(rig.asks("Move the grip as far"));
+    EXPECT_TRUE(rig.question_begins("Move the grip as far"));
     EXPECT_EQ(rig.profile().hand, HoldingHand::Right);
     VirtualClock clock;
     HeldFalcon falcon(clock);
     WizardRig homing("hand", &falcon, &clock);
     ASSERT_TRUE(homing.run_until([&] { return homing.wizard().waits_for_person(); }));
-    EXPECT_TRUE(homing.asks("Rest your arm"));
+    EXPECT_TRUE(homing.question_begins("Rest your arm"));
     homing.key("Enter");
     homing.run(0.1);
     EXPECT_TRUE(homing.has_said("Not yet: the device does not know its position. Legs ready so far: 0 of 3."));

@@ -18,8 +18,8 @@ struct House {
     std::unique_ptr<DirectionsFloor> floor;
 
     House() {
-        const WalkerSize size = body_size(*scene, 0.25);
-        auto made = Navigation::make(*scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m));
+        const WalkerSize size = walker_size(*scene, 0.25);
+        auto made = Navigation::make(*scene, walker_measures(*scene, size.radius_m, size.height_m, size.step_up_m));
         if (!made) throw std::runtime_error(made.error().message);
         navigation = *made;
         graph = make_rooms(*scene, navigation->space());
@@ -83,9 +83,9 @@ struct OnTheWay {
     OnTheWay() {
         person.app.apply(WorldEntered{make_ready(test::our_world("school.map"))}, person.now);
         person.run(0.1);
-        person.ask(Command::Exits);
+        person.request(Command::Exits);
         person.run(1.0);
-        person.ask(Command::Routes);
+        person.request(Command::Routes);
         person.line("Art room");
         release();
         first = person.said.back();
@@ -102,30 +102,30 @@ TEST(FirstLegs, are_announced_while_the_rest_is_still_being_planned) {
     EXPECT_FALSE(way.first.empty());
     EXPECT_NE(way.first, phrase("leg.looks"));
     ASSERT_EQ(way.executor.held(), 1U) << "the rest is planned";
-    EXPECT_EQ(way.person.ask(Command::RepeatLeg), way.first);
+    EXPECT_EQ(way.person.request(Command::RepeatLeg), way.first);
     way.release();
     EXPECT_TRUE(way.person.said.empty()) << "nothing was requested: " << way.person.news();
-    EXPECT_EQ(way.person.ask(Command::RepeatLeg), way.first);
+    EXPECT_EQ(way.person.request(Command::RepeatLeg), way.first);
     EXPECT_EQ(way.executor.held(), 0U);
 }
 
 TEST(FirstLegs, are_completed_by_the_rest_on_request_during_planning) {
     OnTheWay way;
     ASSERT_EQ(way.executor.held(), 1U);
-    EXPECT_EQ(way.person.ask(Command::RestOfWay), phrase("leg.looks"));
+    EXPECT_EQ(way.person.request(Command::RestOfRoute), phrase("leg.looks"));
     way.release();
     ASSERT_FALSE(way.person.said.empty());
     const std::string rest = way.person.said.back();
     EXPECT_TRUE(rest.starts_with(way.first)) << rest;
     EXPECT_GT(rest.size(), way.first.size() + 100) << rest;
-    EXPECT_EQ(way.person.ask(Command::RestOfWay), rest);
+    EXPECT_EQ(way.person.request(Command::RestOfRoute), rest);
 }
 
 TEST(FirstLegs, continue_with_the_next_leg_as_soon_as_it_is_planned) {
     OnTheWay way;
     ASSERT_EQ(way.executor.held(), 1U);
     std::string leg = way.first;
-    for (int i = 0; i < 20 && leg != phrase("leg.looks"); ++i) leg = way.person.ask(Command::NextLeg);
+    for (int i = 0; i < 20 && leg != phrase("leg.looks"); ++i) leg = way.person.request(Command::NextLeg);
     EXPECT_EQ(leg, phrase("leg.looks")) << "no more legs are known";
     way.release();
     ASSERT_FALSE(way.person.said.empty());

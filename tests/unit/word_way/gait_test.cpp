@@ -72,7 +72,7 @@ struct TwoRooms : test::AppSession {
         b.start({2, 2, 0}, 0.0);
         app.apply(WorldEntered{make_ready(b.share())}, now);
         run(0.1);
-        ask(Command::Exits);  // so that the session knows the routes from now on
+        request(Command::Exits);  // so that the session knows the routes from now on
     }
     void walk_from(const Vec3& feet_m, double heading_deg, Command command, int steps) {
         app.apply(Placed{feet_m, heading_deg * kPi / 180.0}, now);

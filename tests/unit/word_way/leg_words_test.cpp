@@ -13,12 +13,12 @@ namespace handrail {
 namespace leg_words_test {
 
 SpokenLeg leg(int turn, int steps, PaceEnd end, const std::string& to) {
-    SpokenLeg told;
-    told.turn_notches = turn;
-    told.steps = steps;
-    told.end = end;
-    told.to = to;
-    return told;
+    SpokenLeg spoken;
+    spoken.turn_notches = turn;
+    spoken.steps = steps;
+    spoken.end = end;
+    spoken.to = to;
+    return spoken;
 }
 
 TEST(LegWords, give_the_action_first_then_the_distance_and_then_the_target) {
@@ -91,36 +91,37 @@ TEST(LegWords, arrive_from_the_background_while_the_session_continues) {
             return there();
         });
     };
-    ASSERT_TRUE(wait_for([&] { return !person.ask(Command::Exits).starts_with("The rooms of this world are still"); }));
-    person.ask(Command::Routes);
+    ASSERT_TRUE(
+        wait_for([&] { return !person.request(Command::Exits).starts_with("The rooms of this world are still"); }));
+    person.request(Command::Routes);
     const std::string way = person.line("Music room");
     EXPECT_TRUE(way.starts_with("To Music room. ")) << way;
     EXPECT_TRUE(way.ends_with("through Stairs, Landing.")) << way;
     person.said.clear();
-    EXPECT_EQ(person.ask(Command::NextLeg), "One moment.");
+    EXPECT_EQ(person.request(Command::NextLeg), "One moment.");
     EXPECT_TRUE(wait_for([&] {
         return person.said.back() != "One moment." && person.said.back() != "Rooms and routes have been worked out.";
     }));
     const std::string first_leg = person.said.back();
-    EXPECT_EQ(person.ask(Command::RepeatLeg), first_leg);
+    EXPECT_EQ(person.request(Command::RepeatLeg), first_leg);
     // If a person requests the rest of the route during the planning, the session must announce the rest when it is
     // known.
-    person.ask(Command::Routes);
+    person.request(Command::Routes);
     person.line("Bathroom");
     person.said.clear();
-    EXPECT_EQ(person.ask(Command::RestOfWay), "One moment.");
+    EXPECT_EQ(person.request(Command::RestOfRoute), "One moment.");
     EXPECT_TRUE(wait_for([&] { return person.said.back() != "One moment."; }));
     const std::string rest = person.said.back();
-    EXPECT_EQ(person.ask(Command::RestOfWay), rest);
-    const std::string leg = person.ask(Command::RepeatLeg);
+    EXPECT_EQ(person.request(Command::RestOfRoute), rest);
+    const std::string leg = person.request(Command::RepeatLeg);
     EXPECT_TRUE(rest.starts_with(leg)) << rest;
     EXPECT_GT(rest.size(), leg.size() + 10) << rest;
     // Another world or another request must cancel the planning.
-    person.ask(Command::Routes);
+    person.request(Command::Routes);
     person.line("Kitchen");
     person.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, person.now);
     person.run(0.1);
-    EXPECT_EQ(person.ask(Command::NextLeg), "You are not following a route.");
+    EXPECT_EQ(person.request(Command::NextLeg), "You are not following a route.");
 }
 
 }  // namespace leg_words_test

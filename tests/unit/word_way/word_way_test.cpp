@@ -42,16 +42,16 @@ public:
     Literal(std::shared_ptr<const Scene> world, const LegForm& form) : form_(form) {
         person_.app.apply(WorldEntered{make_ready(std::move(world))}, person_.now);
         person_.run(0.1);
-        person_.ask(Command::Exits);  // so that the session knows the rooms from now on
+        person_.request(Command::Exits);  // so that the session knows the rooms from now on
     }
     // Shuts each door that the walker opened, from the place where the walker opened it, so that all doors are as
     // before.
     void shut_all() {
-        if (!there()) person_.ask(Command::TakeMe);  // a second TakeMe stops following the route
+        if (!there()) person_.request(Command::TakeMe);  // a second TakeMe stops following the route
         for (; !opened_.empty(); opened_.pop_back()) {
             person_.app.apply(Placed{opened_.back().first, opened_.back().second}, person_.now);
             person_.run(0.1);
-            person_.ask(Command::Use);
+            person_.request(Command::Use);
             person_.run(3.0);
         }
     }
@@ -66,16 +66,16 @@ public:
             drift(off_m, way_rad);
         }
         person_.said.clear();
-        person_.ask(Command::Routes);
+        person_.request(Command::Routes);
         person_.line(room);
         first_ = true;
-        std::string leg = person_.ask(Command::RepeatLeg);
+        std::string leg = person_.request(Command::RepeatLeg);
         for (legs_ = 0; legs_ < 60 && !there(); ++legs_) {
-            const auto asked = understood(leg, form_);
-            if (!asked) break;
-            do_as_told(*asked);
+            const auto requested = understood(leg, form_);
+            if (!requested) break;
+            do_as_requested(*requested);
             if (there()) break;
-            leg = person_.ask(Command::NextLeg);
+            leg = person_.request(Command::NextLeg);
         }
         return person_.app.feet_m();
     }
@@ -101,25 +101,25 @@ private:
         person_.app.apply(Steered{{}}, person_.now);
         person_.run(0.1);
     }
-    void do_as_told(const HeardLeg& asked) {
-        if (asked.turn_notches != 0) {
-            const Command turn = asked.turn_notches > 0 ? Command::TurnRight : Command::TurnLeft;
-            person_.app.apply(CommandDown{turn, std::abs(asked.turn_notches)}, person_.now);
+    void do_as_requested(const HeardLeg& requested) {
+        if (requested.turn_notches != 0) {
+            const Command turn = requested.turn_notches > 0 ? Command::TurnRight : Command::TurnLeft;
+            person_.app.apply(CommandDown{turn, std::abs(requested.turn_notches)}, person_.now);
             person_.app.apply(CommandUp{turn}, person_.now);
             wait();
         }
-        if ((asked.turn_notches != 0 || first_) && errors_.turn_rad > 0.0) turn_wrong(errors_.turn_rad * either());
+        if ((requested.turn_notches != 0 || first_) && errors_.turn_rad > 0.0) turn_wrong(errors_.turn_rad * either());
         first_ = false;
         const std::size_t said = person_.said.size();
         const double step_m = person_.app.settings().walk.step_length_m;
         const double part = 1.0 + errors_.step_part * either();
         if (part != 1.0) set_step(step_m * part);
-        if (asked.until == HeardLeg::Until::FlightOver) walk_until_over(said, asked.steps);
-        else walk(asked.until == HeardLeg::Until::Counted ? asked.steps : 2 * asked.steps + 6);
+        if (requested.until == HeardLeg::Until::FlightOver) walk_until_over(said, requested.steps);
+        else walk(requested.until == HeardLeg::Until::Counted ? requested.steps : 2 * requested.steps + 6);
         if (part != 1.0) set_step(step_m);
-        if (!asked.use) return;
+        if (!requested.use) return;
         opened_.emplace_back(person_.app.feet_m(), person_.app.heading_rad());
-        person_.ask(Command::Use);
+        person_.request(Command::Use);
         person_.run(3.0);
     }
     void set_step(double step_m) {
@@ -166,8 +166,8 @@ struct Judge {
     RoomGraph graph;
 
     explicit Judge(const Scene& scene) {
-        const WalkerSize size = body_size(scene, 0.25);
-        auto made = Navigation::make(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
+        const WalkerSize size = walker_size(scene, 0.25);
+        auto made = Navigation::make(scene, walker_measures(scene, size.radius_m, size.height_m, size.step_up_m));
         if (!made) throw std::runtime_error(made.error().message);
         navigation = *made;
         graph = make_rooms(scene, navigation->space());
@@ -210,14 +210,14 @@ public:
             for (const std::uint32_t to : judge_.rooms())
                 if (from != to && (7 * from + 3 * to) % every == 0)
                     walk(judge_.graph.rooms[from].middle_m, judge_.graph.rooms[from].name, to);
-        return tell();
+        return counted();
     }
     // Walks from the entrance to each room.
     Counted from_base(std::uint32_t every) {
         for (const std::uint32_t to : judge_.rooms())
             if (to % every == 0 && room_at(judge_.graph, judge_.navigation->space(), base_m_) != to)
                 walk(base_m_, "base", to);
-        return tell();
+        return counted();
     }
 
 private:
@@ -234,7 +234,7 @@ private:
                        literal_.last_lines());
         literal_.shut_all();
     }
-    Counted tell() const {
+    Counted counted() const {
         fmt::print("seeds from {}: {} of {} came, {:.1f} legs each\n", seed_, counted_.came, counted_.routes,
                    static_cast<double>(counted_.legs) / std::max(1, counted_.routes));
         return counted_;

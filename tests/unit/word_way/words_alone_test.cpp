@@ -27,8 +27,8 @@ using test::WordWalker;
 class Judge {
 public:
     explicit Judge(const Scene& scene) : scene_(scene) {
-        const WalkerSize size = body_size(scene, 0.25);
-        auto made = Navigation::make(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
+        const WalkerSize size = walker_size(scene, 0.25);
+        auto made = Navigation::make(scene, walker_measures(scene, size.radius_m, size.height_m, size.step_up_m));
         if (!made) return;
         ways_ = *made;
         graph_ = make_rooms(scene, ways_->space());
@@ -53,14 +53,14 @@ private:
 
 struct Row {
     int named = 0, connected = 0, walks = 0, reached = 0, falsely = 0, loops = 0;
-    std::vector<std::string> missed, no_way;
+    std::vector<std::string> missed, no_route;
 };
 
 const char* end_word(WordWalker::End end) {
     switch (end) {
         case WordWalker::End::Arrived:
             return "told that it is there";
-        case WordWalker::End::NoWay:
+        case WordWalker::End::NoRoute:
             return "no way";
         case WordWalker::End::Loop:
             return "for ever";
@@ -115,7 +115,7 @@ Row walk_all(const std::shared_ptr<const Scene>& world, std::uint32_t every) {
         if (judge.rooms()[room].map_name.empty() || room == start) continue;
         ++row.named;
         if (const Route way = judge.way(start_m, room); !way.reaches) {
-            row.no_way.push_back(
+            row.no_route.push_back(
                 fmt::format("{}, {:.1f} m beyond where one comes", judge.rooms()[room].name, way.short_of_m));
             continue;
         }
@@ -156,7 +156,7 @@ TEST_P(WordsAlone, lead_to_each_named_room_and_back) {
     fmt::print("| {} | {} | {} | {} | {} | {} | {} |\n", walked.file, row.named, row.connected, row.walks, row.reached,
                row.falsely, row.loops);
     for (const std::string& missed : row.missed) fmt::print("  missed: {}\n", missed);
-    for (const std::string& room : row.no_way) fmt::print("  no way: {}\n", room);
+    for (const std::string& room : row.no_route) fmt::print("  no way: {}\n", room);
     if (row.connected == 0 && walked.real) GTEST_SKIP() << "no room with a name has a way";
     EXPECT_GT(row.walks, 0);
     EXPECT_EQ(row.falsely, 0);

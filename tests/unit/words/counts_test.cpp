@@ -64,7 +64,7 @@ void expect_counts_come_back(const std::filesystem::path& path) {
             before = counts_of(*scene);
             written = text_of(stated_house(*scene, language), *scene, language);
         } else {
-            const Result<WalkSpace> space = make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+            const Result<WalkSpace> space = make_walk_space(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
             ASSERT_TRUE(space.has_value()) << space.error().sentence();
             const WordsHouse house = found_house(*scene, make_rooms(*scene, *space), *space, language);
             before = counts_of_map(*scene, house);

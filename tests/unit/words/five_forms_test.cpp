@@ -53,7 +53,7 @@ constexpr double kThinWalls_m = 0.1;
 
 Seen seen_in(const Scene& scene, const Vec3& shift_m = Vec3(0.0)) {
     Seen seen;
-    const auto ways = Navigation::make(scene, walk_body(scene, kBodyRadius_m, 1.8, 0.25));
+    const auto ways = Navigation::make(scene, walker_measures(scene, kBodyRadius_m, 1.8, 0.25));
     EXPECT_TRUE(ways.has_value()) << ways.error().sentence();
     if (!ways) return seen;
     const RoomGraph graph = make_rooms(scene, (*ways)->space());
@@ -73,7 +73,7 @@ Seen seen_in(const Scene& scene, const Vec3& shift_m = Vec3(0.0)) {
     std::sort(seen.joins.begin(), seen.joins.end(), [](const Join& a, const Join& b) { return a.places < b.places; });
     for (std::size_t i = 0; i < kPlaces.size(); ++i)
         for (std::size_t k = i + 1; k < kPlaces.size(); ++k) {
-            const Route route = (*ways)->plan(kPlaces[i] + shift_m, kPlaces[k] + shift_m, RouteWish::Shortest);
+            const Route route = (*ways)->plan(kPlaces[i] + shift_m, kPlaces[k] + shift_m, RoutePreference::Shortest);
             double length = 0.0;
             for (std::size_t p = 1; p < route.points_m.size(); ++p)
                 length += glm::length(route.points_m[p] - route.points_m[p - 1]);

@@ -31,7 +31,7 @@ struct Seen {
         return room == kNothing ? "nowhere" : without_storey(graph.rooms[room].name);
     }
     std::optional<double> way_m(const Vec3& from, const Vec3& to) const {
-        const Route route = ways->plan(from + shift_m, to + shift_m, RouteWish::Shortest);
+        const Route route = ways->plan(from + shift_m, to + shift_m, RoutePreference::Shortest);
         if (route.points_m.empty() || glm::length(route.points_m.back() - to - shift_m) > 0.3) return std::nullopt;
         double length = 0.0;
         for (std::size_t p = 1; p < route.points_m.size(); ++p)
@@ -46,7 +46,7 @@ struct Seen {
 
 Seen seen_in(const Scene& scene) {
     Seen seen;
-    auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    auto ways = Navigation::make(scene, walker_measures(scene, 0.25, 1.8, 0.25));
     EXPECT_TRUE(ways.has_value()) << ways.error().sentence();
     if (!ways) return seen;
     seen.ways = *ways;
@@ -180,7 +180,7 @@ TEST(HouseForms, carry_exactly_what_each_format_supports) {
     const Seen house = seen_in(*scene);
     const WordsHouse drawn =
         on_the_middles_of_walls(found_house(*scene, house.graph, house.ways->space(), WordLanguage::English), *scene);
-    const auto tell = [&](const char* name, Result<Scene> read, const Apart& apart = {}) {
+    const auto describe = [&](const char* name, Result<Scene> read, const Apart& apart = {}) {
         EXPECT_TRUE(read.has_value()) << name << ": " << (read ? "" : read.error().sentence());
         if (!read) return Carried{};
         EXPECT_TRUE(validate(*read).has_value());
@@ -204,7 +204,7 @@ TEST(HouseForms, carry_exactly_what_each_format_supports) {
         EXPECT_LE(c.shorter_m, apart.level_m) << name;
         return c;
     };
-    const Carried itself = tell("itself", *scene);
+    const Carried itself = describe("itself", *scene);
     ASSERT_EQ(itself.all_rooms, 14);
     ASSERT_EQ(itself.all_doors, 11);
     ASSERT_GT(itself.all_ways, 40);
@@ -218,8 +218,8 @@ TEST(HouseForms, carry_exactly_what_each_format_supports) {
     // An architect's model must preserve everything except the pond. The pond is no space with a floor, so it becomes
     // the steps that lead into it.
     for (const bool millimetres : {false, true}) {
-        const Carried ifc = tell(millimetres ? "IFC in millimetres" : "IFC",
-                                 read_ifc(test::IfcOf(*scene, drawn, millimetres).text(), "house.ifc"), kByStairs);
+        const Carried ifc = describe(millimetres ? "IFC in millimetres" : "IFC",
+                                     read_ifc(test::IfcOf(*scene, drawn, millimetres).text(), "house.ifc"), kByStairs);
         EXPECT_GE(ifc.rooms, ifc.all_rooms - 1);
         EXPECT_EQ(ifc.doors, ifc.all_doors);
         EXPECT_LE(ifc.across_m, kSame_m);
@@ -227,7 +227,7 @@ TEST(HouseForms, carry_exactly_what_each_format_supports) {
         EXPECT_EQ(ifc.far, ifc.all_far);
     }
     // A mesh must preserve all distances, although it has no names and no doors.
-    const Carried mesh = tell("mesh", read_gltf(test::glb_of(*scene), "house.glb"));
+    const Carried mesh = describe("mesh", read_gltf(test::glb_of(*scene), "house.glb"));
     EXPECT_EQ(mesh.rooms, 0);
     EXPECT_EQ(mesh.doors, 0);
     EXPECT_EQ(mesh.ways, mesh.all_ways);
@@ -236,12 +236,12 @@ TEST(HouseForms, carry_exactly_what_each_format_supports) {
     // room. Both forms make new stairs, so no route between storeys keeps its length. In room descriptions, the pond is
     // sunk and becomes the steps into it, as in the model. In a plan, nobody gets into the pond. The doors of both
     // forms are in the middle of walls, while the original leaves are at one side.
-    const Carried words = tell("words", read_words(text_of(drawn, *scene, WordLanguage::English), "house.rooms"));
+    const Carried words = describe("words", read_words(text_of(drawn, *scene, WordLanguage::English), "house.rooms"));
     EXPECT_GE(words.rooms, words.all_rooms - 1);
     EXPECT_EQ(words.doors, words.all_doors);
     EXPECT_LE(words.across_m, kSame_m + kHalfWall_m);
     EXPECT_GE(words.ways, 24);
-    const Carried osm = tell("OpenStreetMap", read_osm(test::osm_of(drawn), "house.osm"));
+    const Carried osm = describe("OpenStreetMap", read_osm(test::osm_of(drawn), "house.osm"));
     EXPECT_EQ(osm.rooms, osm.all_rooms);
     EXPECT_EQ(osm.doors, osm.all_doors);
     EXPECT_LE(osm.across_m, kSame_m + kHalfWall_m);

@@ -75,7 +75,7 @@ TEST(RoomsInWords, report_the_line_of_a_thing_next_to_something_that_does_not_ex
 
 TEST(RoomsInWords, can_be_walked_from_room_to_room) {
     const Scene scene = test::read_rooms(kLibrary);
-    const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    const auto ways = Navigation::make(scene, walker_measures(scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(ways.has_value()) << ways.error().sentence();
     for (const StatedRoom& room : scene.stated->rooms)
         EXPECT_TRUE((*ways)->reachable(scene.starts[0].feet_m, room.at_m + Vec3(0.0, -1.0, 0.0))) << room.name;
@@ -160,7 +160,7 @@ TEST(RoomsInWords, join_all_storeys_between_the_ends_of_stairs_and_lifts) {
     for (const Diagnostic& warning : scene.report.warnings) ADD_FAILURE() << warning.sentence();
     EXPECT_EQ(largest_connected(*scene.stated), static_cast<int>(scene.stated->rooms.size()));
     EXPECT_EQ(scene.stated->lifts, 1);
-    const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    const auto ways = Navigation::make(scene, walker_measures(scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(ways.has_value());
     EXPECT_TRUE((*ways)->reachable(test::room_of(scene, "Hall")->at_m, test::room_of(scene, "Attic")->at_m));
 }
@@ -172,13 +172,13 @@ TEST(RoomsInWords, treat_a_door_mentioned_in_both_rooms_as_one_door) {
     EXPECT_THAT(test::joins_of(scene), ElementsAre("door Hall | Study"));
 }
 
-struct Told {
+struct Reported {
     const char *text, *sentence;
     int line;
 };
 
 TEST(RoomsInWords, that_cannot_be_placed_are_reported_by_line_with_the_assumption_made) {
-    const Told kTold[] = {
+    const Reported kReported[] = {
         {"Hall, 8 by 6 metres.\n\nStudy, 4 by 4 metres, north of Hal.\n", "nearest name is Hall", 3},
         {"Hall, 8 by 6 metres.\n\nStudy, 4 by 4 metres.\n", "put east of Hall", 3},
         {"Hall. Door outside.\n", "A size of 4 by 4 metres was assumed", 1},
@@ -195,15 +195,15 @@ TEST(RoomsInWords, that_cannot_be_placed_are_reported_by_line_with_the_assumptio
         {"A, 3 by 6 metres, stairs to Heaven.\n", "room without stairs", 1},
         {"A, 3 by 3 metres, north of B.\nB, 3 by 3 metres, north of A.\n", "", 0},
     };
-    for (const Told& told : kTold) {
-        const Scene scene = test::read_rooms(told.text);
+    for (const Reported& reported : kReported) {
+        const Scene scene = test::read_rooms(reported.text);
         std::string all;
-        bool found = *told.sentence == '\0';
+        bool found = *reported.sentence == '\0';
         for (const Diagnostic& warning : scene.report.warnings) {
             all += warning.sentence() + "\n";
-            found |= warning.line == told.line && warning.sentence().find(told.sentence) != std::string::npos;
+            found |= warning.line == reported.line && warning.sentence().find(reported.sentence) != std::string::npos;
         }
-        EXPECT_TRUE(found) << told.text << told.sentence << "\n" << all;
+        EXPECT_TRUE(found) << reported.text << reported.sentence << "\n" << all;
     }
 }
 
@@ -252,7 +252,7 @@ void expect_library(const std::string& example, const std::string& gallery) {
     EXPECT_EQ(scene.stated->rooms.size(), 6U);
     EXPECT_EQ(largest_connected(*scene.stated), 6);
     EXPECT_EQ(scene.stated->windows.size(), 2U);
-    const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    const auto ways = Navigation::make(scene, walker_measures(scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(ways.has_value());
     EXPECT_TRUE((*ways)->reachable(scene.starts[0].feet_m, test::room_of(scene, gallery)->at_m));
 }

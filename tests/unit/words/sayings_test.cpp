@@ -154,7 +154,7 @@ TEST(StairsInWords, from_one_room_to_another_are_walked_and_exported_again) {
         const Scene scene = test::read_rooms(text);
         EXPECT_EQ(warnings_of(scene), "");
         ASSERT_EQ(scene.stated->stairs, 1);
-        const Result<WalkSpace> space = make_walk_space(scene, walk_body(scene, 0.25, 1.8, 0.25));
+        const Result<WalkSpace> space = make_walk_space(scene, walker_measures(scene, 0.25, 1.8, 0.25));
         ASSERT_TRUE(space.has_value()) << space.error().sentence();
         const RoomGraph graph = make_rooms(scene, *space);
         // A walker must be able to go from the foot of the stairs to their top on one connected walkable area.

@@ -158,7 +158,7 @@ void expect_map_comes_back(const std::string& map) {
     const std::string path = (test::project_root() / "worlds/maps/").string() + map;
     const Result<Scene> scene = read_world(path);
     ASSERT_TRUE(scene.has_value());
-    const Result<WalkSpace> space = make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    const Result<WalkSpace> space = make_walk_space(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(space.has_value());
     const RoomGraph graph = make_rooms(*scene, *space);
     for (const WordLanguage language : {WordLanguage::English, WordLanguage::German}) {
@@ -195,7 +195,7 @@ TEST(WrittenInWords, a_drop_and_a_lift_can_be_used_after_reading_in_both_languag
         for (const Diagnostic& warning : scene.report.warnings)
             if (warning.line > 0) ADD_FAILURE() << warning.sentence();
         EXPECT_NEAR(test::room_of(scene, "Pit")->floor_m, -0.5, 1e-9);
-        const Result<WalkSpace> space = make_walk_space(scene, walk_body(scene, 0.25, 1.8, 0.25));
+        const Result<WalkSpace> space = make_walk_space(scene, walker_measures(scene, 0.25, 1.8, 0.25));
         ASSERT_TRUE(space.has_value()) << space.error().sentence();
         const RoomGraph graph = make_rooms(scene, *space);
         int lifts = 0, openings = 0;

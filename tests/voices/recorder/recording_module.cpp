@@ -115,11 +115,11 @@ private:
         ends_ = Clock::now() + words * word_;
     }
 
-    void stop(const char* event, const char* told) {
+    void stop(const char* event, const char* reported) {
         if (!ends_) return;
         ends_.reset();
         note(event);
-        answer(told);
+        answer(reported);
     }
 
     const char* recorded_ = std::getenv("RECORDED") ? std::getenv("RECORDED") : "/dev/null";

@@ -10,12 +10,12 @@
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/explorer.h"
-#include "tests/unit/core/way_walker.h"
+#include "tests/unit/core/route_walker.h"
 #include "worlds/base/files.h"
 #include "worlds/navigation/route_place.h"
 
 namespace handrail {
-namespace ways_session_test {
+namespace saved_routes_session_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -25,22 +25,22 @@ using testing::StartsWith;
 // A copy of the house in a folder of its own, where additions are stored next to it.
 struct House {
     House() { fs::copy_file(test::project_root() / "worlds/maps/house.map", path); }
-    fs::path beside() const { return path.string() + ".handrail.toml"; }
+    fs::path background() const { return path.string() + ".handrail.toml"; }
     test::TemporaryFolder folder;
     fs::path path = folder.path() / "house.map";
 };
 
 struct Person : test::AppSession {
-    // If `beside` is true, the rooms are searched for on a separate thread, as in a session with a window.
-    explicit Person(const fs::path& world, bool beside = false)
-        : AppSession({}, {}, {.executor = beside ? on_threads() : at_once()}) {
+    // If `background` is true, the rooms are searched for on a separate thread, as in a session with a window.
+    explicit Person(const fs::path& world, bool background = false)
+        : AppSession({}, {}, {.executor = background ? on_threads() : at_once()}) {
         app.apply(WorldEntered{make_ready(test::world_in(world)), SideFile::of_world(world, {})}, now);
         run(0.1);
     }
     bool go_to(const std::string& room) { return test::go_to_room(*this, room, 90.0); }
     // Chooses a saved route from the list.
     std::string way(const std::string& name) {
-        ask(Command::Ways);
+        request(Command::KeptRoutes);
         return line(name);
     }
     std::string way(const std::string& name, const std::string& act) {
@@ -55,7 +55,7 @@ struct Person : test::AppSession {
         return {};
     }
     std::string keep(const std::string& which, const std::string& name) {
-        ask(Command::KeepWay);
+        request(Command::KeepRoute);
         line(which);
         return line(name);
     }
@@ -65,24 +65,25 @@ TEST(KeptRoutes, from_a_planned_route_are_walked_stop_after_stop_after_a_restart
     const House house;
     {
         Person p(house.path);
-        EXPECT_THAT(p.ask(Command::Ways), HasSubstr("You have not kept a route here yet. Control+8 keeps the route"));
+        EXPECT_THAT(p.request(Command::KeptRoutes),
+                    HasSubstr("You have not kept a route here yet. Control+8 keeps the route"));
         ASSERT_TRUE(p.go_to("Living room")) << p.app.feet_m().x << " " << p.app.feet_m().y;
-        p.ask(Command::Routes);
+        p.request(Command::Routes);
         p.line("Kitchen");  // This route is planned from the end of the previous route, so both are parts of one route.
-        p.ask(Command::KeepWay);
+        p.request(Command::KeepRoute);
         EXPECT_EQ(p.item("The route you planned last"), "The route you planned last, Hall, Living room, Kitchen");
         EXPECT_THAT(p.line("The route you planned last"),
                     HasSubstr("Hall to Kitchen. Type another name for this route, or press Enter to keep this one"));
         EXPECT_EQ(p.line("To the stove"), "Route To the stove kept");
     }
-    const auto text = read_whole_file(house.beside());
+    const auto text = read_whole_file(house.background());
     ASSERT_TRUE(text);
     EXPECT_THAT(*text, HasSubstr("[[way.stop]]"));
     EXPECT_THAT(*text, HasSubstr("room = \"Living room\""));
 
     Person p(house.path);
     EXPECT_FALSE(p.heard("fit")) << p.said.back();
-    p.ask(Command::Ways);
+    p.request(Command::KeptRoutes);
     EXPECT_EQ(p.item("To the stove"), "To the stove, by way of Living room");
     p.line("To the stove");
     const std::string words = p.line("Hear it");
@@ -99,8 +100,8 @@ TEST(KeptRoutes, from_a_planned_route_are_walked_stop_after_stop_after_a_restart
         p, [&] { return p.heard("Kitchen. You are there."); }, 120.0))
         << p.app.feet_m().x << " " << p.app.feet_m().y;
     EXPECT_TRUE(p.heard("Living room. You are there. To Kitchen. "));
-    EXPECT_EQ(p.ask(Command::WhereAmI).substr(0, 9), "Kitchen, ");
-    p.ask(Command::Routes);
+    EXPECT_EQ(p.request(Command::WhereAmI).substr(0, 9), "Kitchen, ");
+    p.request(Command::Routes);
     EXPECT_EQ(p.item("Stop following"), "");  // The route has ended.
 
     // Follows the route backwards, from its end to its beginning.
@@ -115,7 +116,7 @@ TEST(KeptRoutes, from_a_planned_route_are_walked_stop_after_stop_after_a_restart
 TEST(KeptRoutes, are_listed_resumed_from_the_current_place_and_stopped_on_request) {
     const House house;
     Person p(house.path);
-    p.ask(Command::Routes);
+    p.request(Command::Routes);
     p.line("Living room");
     p.keep("The route you planned last", "There");
     p.way("There", "Add a stop");
@@ -133,9 +134,9 @@ TEST(KeptRoutes, are_listed_resumed_from_the_current_place_and_stopped_on_reques
     p.run(0.3);
     EXPECT_TRUE(p.heard("You have left the route."));
     EXPECT_TRUE(p.heard("To Living room. "));
-    p.ask(Command::Routes);
+    p.request(Command::Routes);
     EXPECT_THAT(p.line("Where the route continues"), HasSubstr("To Living room: "));
-    EXPECT_EQ(p.ask(Command::TakeMe), "You are no longer following a route.");
+    EXPECT_EQ(p.request(Command::TakeMe), "You are no longer following a route.");
     p.said.clear();
     p.app.apply(Placed{{3.0, 3.5, 0.0}, 0.0}, p.now);
     p.run(0.5);
@@ -151,9 +152,9 @@ TEST(KeptRoutes, from_the_trail_keep_its_corners_and_lead_along_them) {
         Person p(house.path);
         p.app.apply(Placed{detour[0], 0.0}, p.now);
         p.run(0.1);
-        p.ask(Command::DropMark);
+        p.request(Command::DropMark);
         p.line("Gate");
-        p.ask(Command::KeepWay);
+        p.request(Command::KeepRoute);
         EXPECT_EQ(p.item("Everything"), "");  // The walker has not walked yet.
         EXPECT_THAT(p.line("Begin a route here"),
                     HasSubstr("A route begins here. Control+8 keeps what you walk from now on."));
@@ -162,7 +163,7 @@ TEST(KeptRoutes, from_the_trail_keep_its_corners_and_lead_along_them) {
             return p.now;
         });
         ASSERT_LT(glm::length(p.app.feet_m() - detour.back()), 0.3);
-        p.ask(Command::KeepWay);
+        p.request(Command::KeepRoute);
         EXPECT_NE(p.item("Everything you walked here"), "");
         EXPECT_NE(p.item("What you walked since Gate"), "");
         p.line("What you walked since you began");
@@ -172,7 +173,7 @@ TEST(KeptRoutes, from_the_trail_keep_its_corners_and_lead_along_them) {
     }
     Person p(house.path);
     std::vector<Error> faults;
-    const auto ways = read_ways(SideFile::of_world(house.path, {}), faults);
+    const auto ways = read_saved_routes(SideFile::of_world(house.path, {}), faults);
     ASSERT_EQ(ways.size(), 1U);
     ASSERT_EQ(ways[0].stops.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -184,7 +185,7 @@ TEST(KeptRoutes, from_the_trail_keep_its_corners_and_lead_along_them) {
     p.way("Round", "Follow it by ear");
     // The saved route follows the whole detour, including both corners.
     const std::vector<Vec3> way = p.app.guide().way_m();
-    for (const Vec3& corner : detour) EXPECT_LT(nearest_on_way(way, corner).distance_m, 0.6);
+    for (const Vec3& corner : detour) EXPECT_LT(nearest_on_path(way, corner).distance_m, 0.6);
     p.said.clear();
     double west_m = 1e9;
     ASSERT_TRUE(test::walk_along(
@@ -202,7 +203,7 @@ TEST(KeptRoutes, are_renamed_and_deleted_in_the_file_too) {
     const House house;
     {
         Person p(house.path);
-        p.ask(Command::Routes);
+        p.request(Command::Routes);
         p.line("Kitchen");
         p.keep("The route you planned last", "One");
         p.keep("The route you planned last", "Two");
@@ -211,30 +212,30 @@ TEST(KeptRoutes, are_renamed_and_deleted_in_the_file_too) {
         p.way("One", "Change the name");
         EXPECT_EQ(p.line("Three"), "Three");
         EXPECT_EQ(p.way("Two", "Delete it"), "Route Two deleted");
-        p.ask(Command::KeepWay);
+        p.request(Command::KeepRoute);
         p.line("The route you planned last");
         p.app.apply(KeyTapped{"Escape"}, p.now);
         p.listen();
         EXPECT_EQ(p.said.back(), "The route was not kept.");
     }
     Person p(house.path);
-    p.ask(Command::Ways);
+    p.request(Command::KeptRoutes);
     EXPECT_EQ(p.app.dialogue().view().items.size(), 1U);
     EXPECT_NE(p.item("Three"), "");
 }
 
 TEST(KeptRoutes, that_are_damaged_are_set_aside_or_reported_with_their_line) {
     const House house;
-    ASSERT_TRUE(write_file_atomically(house.beside(), "[[way]]\nname = \"Half"));
+    ASSERT_TRUE(write_file_atomically(house.background(), "[[way]]\nname = \"Half"));
     {
         Person p(house.path);
         EXPECT_TRUE(
             p.heard("is damaged in line 2. It has been saved as house.map.handrail.toml.damaged, and you start without "
                     "additions."));
-        EXPECT_THAT(p.ask(Command::Ways), HasSubstr("You have not kept a route here yet."));
-        EXPECT_TRUE(fs::exists(house.beside().string() + ".damaged"));
+        EXPECT_THAT(p.request(Command::KeptRoutes), HasSubstr("You have not kept a route here yet."));
+        EXPECT_TRUE(fs::exists(house.background().string() + ".damaged"));
     }
-    ASSERT_TRUE(write_file_atomically(house.beside(), "[[way]]\nname = \"Alone\"\n[[way]]\n[[way]]\n"));
+    ASSERT_TRUE(write_file_atomically(house.background(), "[[way]]\nname = \"Alone\"\n[[way]]\n[[way]]\n"));
     Person p(house.path);
     EXPECT_TRUE(
         p.heard("house.map.handrail.toml, line 1: the route Alone needs 2 to 200 stops, each in a [[way.stop]] table. "
@@ -242,10 +243,10 @@ TEST(KeptRoutes, that_are_damaged_are_set_aside_or_reported_with_their_line) {
                 "or delete the entry. "
                 "2 more routes cannot be read."))
         << p.said[1];
-    p.ask(Command::Routes);
+    p.request(Command::Routes);
     p.line("Kitchen");
     p.keep("The route you planned last", "New");
-    EXPECT_THAT(*read_whole_file(house.beside()), HasSubstr("Alone"));
+    EXPECT_THAT(*read_whole_file(house.background()), HasSubstr("Alone"));
 }
 
 // ---- a world that was edited ----
@@ -273,8 +274,8 @@ TEST(KeptRoutes, report_by_name_what_no_longer_fits_an_edited_world_on_entering_
     write(two_rooms(32.0, 300.0));
     {
         Person p(path);
-        p.ask(Command::Exits);
-        p.ask(Command::Find);
+        p.request(Command::Exits);
+        p.request(Command::Find);
         p.line("Table");
         p.line("Take me there");
         ASSERT_EQ(p.keep("The route you planned last", "To lunch"), "Route To lunch kept");
@@ -287,7 +288,7 @@ TEST(KeptRoutes, report_by_name_what_no_longer_fits_an_edited_world_on_entering_
     }
     const struct {
         double gap_units, table_x;
-        const char* told;
+        const char* reported;
     } edits[] = {
         {36.0, 0.0, "To lunch (Table no longer exists)."},
         {36.0, 206.0, "To lunch (Table has moved and is now 2 steps from its stop)."},
@@ -296,13 +297,13 @@ TEST(KeptRoutes, report_by_name_what_no_longer_fits_an_edited_world_on_entering_
     for (const auto& edit : edits) {
         write(two_rooms(edit.gap_units, edit.table_x));
         Person p(path);
-        EXPECT_TRUE(
-            p.heard(std::string("This world has changed since you kept routes. 1 of 1 no longer fits: ") + edit.told))
+        EXPECT_TRUE(p.heard(std::string("This world has changed since you kept routes. 1 of 1 no longer fits: ") +
+                            edit.reported))
             << testing::PrintToString(p.said);
-        p.ask(Command::Ways);
+        p.request(Command::KeptRoutes);
         EXPECT_EQ(p.item("To lunch"), "To lunch, may no longer fit");
         const std::string chosen = p.line("To lunch");
-        const std::string faults(edit.told + 10, std::strlen(edit.told) - 12);
+        const std::string faults(edit.reported + 10, std::strlen(edit.reported) - 12);
         EXPECT_THAT(chosen, HasSubstr("To lunch. This route does not fit this version of the world: " + faults));
         // The session follows the route as far as possible.
         const std::string words = p.line("Follow it by ear");
@@ -339,12 +340,12 @@ TEST(KeptRoutes, follow_a_room_that_the_person_renames) {
     ASSERT_TRUE(write_file_atomically(path, two_rooms(32.0, 300.0)));
     {
         Person p(path);
-        p.ask(Command::Exits);
-        p.ask(Command::Find);
+        p.request(Command::Exits);
+        p.request(Command::Find);
         p.line("Table");
         p.line("Take me there");
         p.keep("The route you planned last", "To lunch");
-        p.ask(Command::NameRoom);
+        p.request(Command::NameRoom);
         EXPECT_EQ(p.line("Counter"), "This room is now called Counter.");
     }
     ASSERT_TRUE(write_file_atomically(path, two_rooms(36.0, 300.0)));
@@ -357,13 +358,13 @@ TEST(KeptRoutes, follow_a_room_that_the_person_renames) {
 // Saves a route, and guides the free hand along it from the base. Returns how many lines had been said before the
 // guidance.
 std::size_t kept_and_led(test::Explorer& p, const std::string& which) {
-    p.tap(Command::KeepWay);
+    p.tap(Command::KeepRoute);
     p.line(which);
     p.line("Tour");
     p.tap(Command::Home);
     p.hold({0.0, 0.0, 0.0});
     p.run(1.5);
-    p.tap(Command::Ways);
+    p.tap(Command::KeptRoutes);
     p.line("Tour");
     const std::size_t before = p.lines();
     p.line("Have your hand led along it");
@@ -419,11 +420,11 @@ TEST(KeptRoutes, are_saved_announced_and_followed_in_german) {
     const test::InLanguage german("de");
     const House house;
     Person p(house.path);
-    EXPECT_EQ(p.ask(Command::Ways),
+    EXPECT_EQ(p.request(Command::KeptRoutes),
               "Hier ist noch kein Weg aufgehoben. Strg+8 hebt den zuletzt geplanten oder gegangenen auf.");
-    p.ask(Command::Routes);
+    p.request(Command::Routes);
     p.line("Wohnzimmer");
-    p.ask(Command::KeepWay);
+    p.request(Command::KeepRoute);
     EXPECT_THAT(p.line("Der zuletzt geplante Weg"),
                 HasSubstr("Flur bis Wohnzimmer. Anderen Namen für diesen Weg tippen oder Enter drücken"));
     EXPECT_EQ(p.line("Nach Hause"), "Weg Nach Hause aufgehoben");
@@ -432,5 +433,5 @@ TEST(KeptRoutes, are_saved_announced_and_followed_in_german) {
     EXPECT_EQ(p.way("Nach Hause", "Löschen"), "Weg Nach Hause gelöscht");
 }
 
-}  // namespace ways_session_test
+}  // namespace saved_routes_session_test
 }  // namespace handrail

@@ -1,4 +1,4 @@
-#include "app/core/wayfinding/hand_way.h"
+#include "app/core/wayfinding/hand_path.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kBeside_m = 0.4;    // distance from the side of a thing to a person who stands in front of it
+constexpr double kNextTo_m = 0.4;    // distance from the side of a thing to a person who stands in front of it
 constexpr double kOnePlace_m = 0.3;  // two standing places nearer to each other than this are one place
 // Heights of the hand above the floor at which a path to the thing is searched for.
 constexpr double kReach_height_m[] = {1.0, 1.5, 0.5};
@@ -18,9 +18,9 @@ constexpr double kBefore_m = 0.3;  // distance from the face of a thing to the p
 // hangs at.
 constexpr double kInside_m = 0.05;
 // Distance that the hand keeps from the leaf of an open door when it goes round the leaf.
-constexpr double kBallRoom_m = 0.3;
+constexpr double kProxyRoom_m = 0.3;
 
-constexpr WalkerShape kBall{0.13, 0.26};  // shape of a proxy of 4 mm at scale 60
+constexpr WalkerShape kProxy{0.13, 0.26};  // shape of a proxy of 4 mm at scale 60
 
 Vec3 nearest_in(const Aabb& box, const Vec3& to_m) { return glm::clamp(to_m, box.min_m, box.max_m); }
 
@@ -32,10 +32,10 @@ std::vector<Vec3> last_points(const WalkerWorld& world, const Vec3& from_m, cons
     std::vector<std::vector<Vec3>> ways{{place_on(thing_m, from_m)}};
     for (const Vec3& side : {Vec3(0, 0, 1), Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0, 1, 0)}) {
         const Vec3 before = centre + side * half;
-        if (!world.blocked(before - Vec3(0.0, 0.0, 0.5 * kBall.height_m), kBall))
+        if (!world.blocked(before - Vec3(0.0, 0.0, 0.5 * kProxy.height_m), kProxy))
             ways.push_back({before, place_on(thing_m, before)});
     }
-    for (const auto& free : {ball_passes, free_line})
+    for (const auto& free : {proxy_passes, free_line})
         for (const std::vector<Vec3>& way : ways) {
             Vec3 at = from_m;
             if (std::all_of(way.begin(), way.end(),
@@ -55,7 +55,7 @@ bool within_reach(const WalkerWorld& world, const Vec3& stand_m, const Aabb& thi
 // through a leaf. A leaf that a walker would pass may also stop or catch the hand. The returned path is free for a
 // proxy. If even the straight line is blocked, a path that is free for a line is accepted.
 std::vector<Vec3> round_leaves(const WalkerWorld& world, const Vec3& from_m, const Vec3& to_m) {
-    const Vec3 half(0.0, 0.0, 0.5 * kBall.height_m);
+    const Vec3 half(0.0, 0.0, 0.5 * kProxy.height_m);
     const auto door = [&](FeatureId feature) {
         const Feature* leaf = world.scene().find(feature);
         return leaf && leaf->kind == FeatureKind::Door ? leaf : nullptr;
@@ -68,7 +68,7 @@ std::vector<Vec3> round_leaves(const WalkerWorld& world, const Vec3& from_m, con
     }
     const bool across = leaf != nullptr;
     if (!across)
-        if (const TraceHit met = world.trace(from_m - half, to_m - half, kBall, true); met.hit) {
+        if (const TraceHit met = world.trace(from_m - half, to_m - half, kProxy, true); met.hit) {
             leaf = door(met.feature);
             met_m = met.end_m + half;
         }
@@ -78,11 +78,11 @@ std::vector<Vec3> round_leaves(const WalkerWorld& world, const Vec3& from_m, con
     // the leaf, because the bounds of the leaf may include the frame.
     std::vector<Vec3> beside;
     for (int i = 0; i < 4; ++i)
-        beside.emplace_back((i & 1) ? stands.max_m.x + kBallRoom_m : stands.min_m.x - kBallRoom_m,
-                            (i & 2) ? stands.max_m.y + kBallRoom_m : stands.min_m.y - kBallRoom_m, met_m.z);
+        beside.emplace_back((i & 1) ? stands.max_m.x + kProxyRoom_m : stands.min_m.x - kProxyRoom_m,
+                            (i & 2) ? stands.max_m.y + kProxyRoom_m : stands.min_m.y - kProxyRoom_m, met_m.z);
     const Vec3 leg(to_m.x - from_m.x, to_m.y - from_m.y, 0.0);
     if (const double length_m = glm::length(leg); length_m > 1e-6)
-        for (const double side_m : {-kBallRoom_m, kBallRoom_m, -2.0 * kBallRoom_m, 2.0 * kBallRoom_m})
+        for (const double side_m : {-kProxyRoom_m, kProxyRoom_m, -2.0 * kProxyRoom_m, 2.0 * kProxyRoom_m})
             beside.push_back(met_m + Vec3(-leg.y, leg.x, 0.0) * (side_m / length_m));
     for (const bool whole : {true, false}) {
         if (!across && !whole) break;
@@ -93,8 +93,9 @@ std::vector<Vec3> round_leaves(const WalkerWorld& world, const Vec3& from_m, con
             Vec3 at = from_m;
             way.push_back(to_m);
             for (const Vec3& next : way) {
-                if (whole ? !ball_passes(world, at, next, kNoFeature) : !free_line(world, at, next, kNoFeature)) return;
-                if (world.blocked(next - half, kBall)) return;
+                if (whole ? !proxy_passes(world, at, next, kNoFeature) : !free_line(world, at, next, kNoFeature))
+                    return;
+                if (world.blocked(next - half, kProxy)) return;
                 length_m += glm::length(next - at);
                 at = next;
             }
@@ -116,10 +117,10 @@ std::vector<Vec3> round_leaves(const WalkerWorld& world, const Vec3& from_m, con
 
 }  // namespace
 
-bool ball_passes(const WalkerWorld& world, const Vec3& from_m, const Vec3& to_m, FeatureId thing) {
-    const Vec3 half(0.0, 0.0, 0.5 * kBall.height_m);
-    if (world.blocked(from_m - half, kBall)) return false;
-    const TraceHit met = world.trace(from_m - half, to_m - half, kBall, true);
+bool proxy_passes(const WalkerWorld& world, const Vec3& from_m, const Vec3& to_m, FeatureId thing) {
+    const Vec3 half(0.0, 0.0, 0.5 * kProxy.height_m);
+    if (world.blocked(from_m - half, kProxy)) return false;
+    const TraceHit met = world.trace(from_m - half, to_m - half, kProxy, true);
     return !met.hit || (thing && met.feature == thing);
 }
 
@@ -138,9 +139,9 @@ navigation::Route walk_to_thing(navigation::Navigation& navigation, const Walker
                                 const Aabb& thing_m, FeatureId thing) {
     const Vec3 middle = thing_m.centre_m(), low = thing_m.min_m, high = thing_m.max_m;
     std::vector<Vec3> stands, within;
-    for (const Vec3& beside : {nearest_in(thing_m, from_m), Vec3(low.x - kBeside_m, middle.y, low.z),
-                               Vec3(high.x + kBeside_m, middle.y, low.z), Vec3(middle.x, low.y - kBeside_m, low.z),
-                               Vec3(middle.x, high.y + kBeside_m, low.z), Vec3(middle.x, middle.y, low.z)}) {
+    for (const Vec3& beside : {nearest_in(thing_m, from_m), Vec3(low.x - kNextTo_m, middle.y, low.z),
+                               Vec3(high.x + kNextTo_m, middle.y, low.z), Vec3(middle.x, low.y - kNextTo_m, low.z),
+                               Vec3(middle.x, high.y + kNextTo_m, low.z), Vec3(middle.x, middle.y, low.z)}) {
         const auto stand = navigation.nearest_place(beside);
         if (!stand || std::any_of(stands.begin(), stands.end(),
                                   [&](const Vec3& other) { return glm::length(other - *stand) < kOnePlace_m; }))
@@ -166,8 +167,8 @@ bool hand_can_follow(const navigation::Route& route) {
     });
 }
 
-std::vector<Vec3> hand_way(const navigation::Route& route, const Vec3& hand_m, double height_m,
-                           const WalkerWorld& world, const Aabb& thing_m, FeatureId thing, std::size_t most) {
+std::vector<Vec3> path_of_hand(const navigation::Route& route, const Vec3& hand_m, double height_m,
+                               const WalkerWorld& world, const Aabb& thing_m, FeatureId thing, std::size_t most) {
     std::vector<Vec3> points{hand_m};
     for (const Vec3& soles : route.points_m) {
         const Vec3 next = soles + Vec3(0.0, 0.0, height_m);
@@ -191,7 +192,7 @@ std::vector<Vec3> hand_way(const navigation::Route& route, const Vec3& hand_m, d
         double bend_m = std::numeric_limits<double>::infinity();
         for (std::size_t i = 1; i + 1 < points.size(); ++i) {
             const std::array ends{points[i - 1], points[i + 1]};
-            if (const double off_m = navigation::nearest_on_way(ends, points[i]).distance_m; off_m < bend_m) {
+            if (const double off_m = navigation::nearest_on_path(ends, points[i]).distance_m; off_m < bend_m) {
                 bend_m = off_m;
                 least = i;
             }

@@ -22,7 +22,7 @@ std::string overview_words(const SessionContext& context, const Rooms& rooms, co
 
 // Returns the whole route from its first stop on, with the directions to each stop. Call it only after the rooms have
 // been found.
-std::string whole_way_words(const SessionContext& context, const Rooms& rooms, const std::string& name,
-                            std::span<const Stop> stops);
+std::string whole_route_words(const SessionContext& context, const Rooms& rooms, const std::string& name,
+                              std::span<const Stop> stops);
 
 }  // namespace handrail::core

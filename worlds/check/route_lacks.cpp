@@ -1,4 +1,4 @@
-#include "worlds/check/way_lacks.h"
+#include "worlds/check/route_lacks.h"
 
 #include <algorithm>
 #include <array>
@@ -16,16 +16,16 @@ constexpr double kTallEnough = 0.5, kThinEnough = 0.2, kHigher_m = 0.6;
 
 // The best routes from one place to every other place. For each span, `worth` is the worth of the worst place on the
 // route to that span, and `worst` is that worst place.
-struct BestWays {
+struct BestRoutes {
     std::vector<double> worth;
     std::vector<std::uint32_t> worst;  // kNothing if there is no route
 };
 
 // `worth_of(from, to)` returns the worth of the step from the span `from` to the span `to`.
 template <class Worth>
-BestWays best_ways(const navigation::WalkSpace& space, std::uint32_t first, const Worth& worth_of) {
-    BestWays best{std::vector<double>(space.spans.size(), -std::numeric_limits<double>::infinity()),
-                  std::vector<std::uint32_t>(space.spans.size(), navigation::kNothing)};
+BestRoutes best_routes(const navigation::WalkSpace& space, std::uint32_t first, const Worth& worth_of) {
+    BestRoutes best{std::vector<double>(space.spans.size(), -std::numeric_limits<double>::infinity()),
+                    std::vector<std::uint32_t>(space.spans.size(), navigation::kNothing)};
     const std::vector<std::vector<std::uint32_t>> leads_to = navigation::spans_led_to(space);
     struct Open {
         double worth;
@@ -76,7 +76,7 @@ public:
           stop_(std::move(stop)),
           found_(places_m.size()) {}
 
-    std::vector<WayLacks> find(std::span<const Lack> kinds) {
+    std::vector<RouteLacks> find(std::span<const Lack> kinds) {
         navigation::WalkerMeasures any = low();
         any.radius_m = thin().radius_m;
         any.step_up_m = climbing().step_up_m;
@@ -145,14 +145,14 @@ private:
 
     template <class Worth>
     void look(Lack lack, const navigation::WalkerMeasures& body, double least, const Worth& worth_in) {
-        if (std::all_of(found_.begin(), found_.end(), [](const WayLacks& f) { return f.lack != Lack::Nothing; }))
+        if (std::all_of(found_.begin(), found_.end(), [](const RouteLacks& f) { return f.lack != Lack::Nothing; }))
             return;
         const Result<navigation::WalkSpace> space =
             navigation::make_trial_space(scene_, body, {lack == Lack::Width, within_}, stop_);
         const std::uint32_t first = space ? place_in(*space, from_m_) : navigation::kNothing;
         if (first == navigation::kNothing) return;
-        const BestWays ways =
-            best_ways(*space, first, [&](std::uint32_t from, std::uint32_t to) { return worth_in(*space, from, to); });
+        const BestRoutes ways = best_routes(
+            *space, first, [&](std::uint32_t from, std::uint32_t to) { return worth_in(*space, from, to); });
         for (std::size_t i = 0; i < places_m_.size(); ++i) {
             const std::uint32_t span = place_in(*space, places_m_[i]);
             if (found_[i].lack != Lack::Nothing || span == navigation::kNothing ||
@@ -169,7 +169,7 @@ private:
     std::span<const Vec3> places_m_;
     std::optional<navigation::WalkTrial::Stretch> within_;
     std::stop_token stop_;
-    std::vector<WayLacks> found_;
+    std::vector<RouteLacks> found_;
 };
 
 }  // namespace
@@ -179,15 +179,15 @@ std::string_view word_of(Lack lack) {
     return kWords[static_cast<std::size_t>(lack)];
 }
 
-std::vector<WayLacks> way_lacks(const Scene& scene, const navigation::WalkSpace& space, const Vec3& from_m,
-                                std::span<const Vec3> places_m, std::span<const Lack> kinds,
-                                const std::stop_token& stop) {
+std::vector<RouteLacks> route_lacks(const Scene& scene, const navigation::WalkSpace& space, const Vec3& from_m,
+                                    std::span<const Vec3> places_m, std::span<const Lack> kinds,
+                                    const std::stop_token& stop) {
     if (places_m.empty()) return {};
     return Search(scene, space.body, from_m, places_m, std::nullopt, stop).find(kinds);
 }
 
-WayLacks way_lacks_within(const Scene& scene, const navigation::WalkSpace& space, const Vec3& from_m,
-                          const Vec3& place_m, const Aabb& box_m, std::span<const Lack> kinds) {
+RouteLacks route_lacks_within(const Scene& scene, const navigation::WalkSpace& space, const Vec3& from_m,
+                              const Vec3& place_m, const Aabb& box_m, std::span<const Lack> kinds) {
     const std::array places_m{place_m};
     return Search(scene, space.body, from_m, places_m, navigation::WalkTrial::Stretch{from_m, box_m}, {})
         .find(kinds)[0];

@@ -1,5 +1,5 @@
 // Tests the walkable area and the rooms found in it, which the program stores for its next start.
-#include "worlds/stored/stored_ways.h"
+#include "worlds/stored/stored_navigation.h"
 #include "tests/support/project_root.h"
 
 #include <gmock/gmock.h>
@@ -15,7 +15,7 @@
 #include "worlds/scene/made_door.h"
 
 namespace handrail {
-namespace stored_ways_test {
+namespace stored_navigation_test {
 
 struct World {
     Scene scene;
@@ -28,15 +28,17 @@ struct World {
         EXPECT_TRUE(read.has_value());
         if (!read) return;
         scene = std::move(*read);
-        body = walk_body(scene, radius_m, 1.8, 0.25);
+        body = walker_measures(scene, radius_m, 1.8, 0.25);
         Result<WalkSpace> found = make_walk_space(scene, body);
         EXPECT_TRUE(found.has_value());
         if (!found) return;
         space = std::move(*found);
         graph = make_rooms(scene, space);
     }
-    std::string bytes() const { return stored_ways(space, graph); }
-    std::optional<FoundWays> from(std::string_view bytes) const { return ways_from(unpacked_ways(bytes), body, scene); }
+    std::string bytes() const { return stored_navigation(space, graph); }
+    std::optional<FoundNavigation> from(std::string_view bytes) const {
+        return navigation_from(unpacked_navigation(bytes), body, scene);
+    }
 };
 
 bool same(const WalkSpan& a, const WalkSpan& b) {
@@ -46,7 +48,7 @@ bool same(const WalkSpan& a, const WalkSpan& b) {
            a.liquid == b.liquid && a.stairs == b.stairs;
 }
 
-void expect_same(const FoundWays& kept, const WalkSpace& space, const RoomGraph& graph) {
+void expect_same(const FoundNavigation& kept, const WalkSpace& space, const RoomGraph& graph) {
     EXPECT_EQ(kept.space.origin_m, space.origin_m);
     EXPECT_EQ(kept.space.cell_m, space.cell_m);
     EXPECT_EQ(kept.space.body, space.body);
@@ -67,56 +69,56 @@ void expect_same(const FoundWays& kept, const WalkSpace& space, const RoomGraph&
     EXPECT_EQ(kept.graph.portals.size(), graph.portals.size());
 }
 
-TEST(StoredWays, are_bit_identical_after_loading) {
+TEST(StoredNavigation, are_bit_identical_after_loading) {
     for (const char* file : {"worlds/maps/house.map", "tests/unit/ifc/worlds/small_house.ifc"}) {
         SCOPED_TRACE(file);
         const World world(file);
         const std::string bytes = world.bytes();
         ASSERT_FALSE(bytes.empty());
-        const std::optional<FoundWays> kept = world.from(bytes);
+        const std::optional<FoundNavigation> kept = world.from(bytes);
         ASSERT_TRUE(kept.has_value());
         expect_same(*kept, world.space, world.graph);
-        EXPECT_EQ(stored_ways(kept->space, kept->graph), bytes) << "all else too";
+        EXPECT_EQ(stored_navigation(kept->space, kept->graph), bytes) << "all else too";
         EXPECT_LT(bytes.size(), world.space.spans.size() * 12);
     }
 }
 
-TEST(StoredWays, have_a_key_that_is_equal_only_for_the_same_scene_and_body) {
+TEST(StoredNavigation, have_a_key_that_is_equal_only_for_the_same_scene_and_body) {
     const World world("tests/unit/ifc/worlds/small_house.ifc");
-    const std::string key = ways_key(world.scene, world.body);
+    const std::string key = navigation_key(world.scene, world.body);
     EXPECT_EQ(key.size(), 64U);
-    EXPECT_EQ(ways_key(Scene(world.scene), world.body), key);
+    EXPECT_EQ(navigation_key(Scene(world.scene), world.body), key);
     // The key of the stored file must change if the scene has one more door or a different name. The key must not
     // depend on warnings from reading the file.
     Scene other = with_made_doors(world.scene, std::vector{MadeDoor{{4.0, 3.0, 0.0}, 0.5 * kPi, 0.9, 0.3, "between"}});
-    EXPECT_NE(ways_key(other, world.body), key);
+    EXPECT_NE(navigation_key(other, world.body), key);
     other = world.scene;
     other.features[0].name += "s";
-    EXPECT_NE(ways_key(other, world.body), key);
+    EXPECT_NE(navigation_key(other, world.body), key);
     other = world.scene;
     other.report.guessed.emplace_back("a sentence");
-    EXPECT_EQ(ways_key(other, world.body), key);
+    EXPECT_EQ(navigation_key(other, world.body), key);
     WalkerMeasures wider = world.body;
     wider.radius_m = 0.3;
-    EXPECT_NE(ways_key(world.scene, wider), key);
+    EXPECT_NE(navigation_key(world.scene, wider), key);
 }
 
-TEST(StoredWays, of_another_body_or_a_smaller_scene_are_rejected) {
+TEST(StoredNavigation, of_another_body_or_a_smaller_scene_are_rejected) {
     const World world("tests/unit/ifc/worlds/small_house.ifc");
-    const std::string plain = unpacked_ways(world.bytes());
-    ASSERT_TRUE(ways_from(plain, world.body, world.scene).has_value());
+    const std::string plain = unpacked_navigation(world.bytes());
+    ASSERT_TRUE(navigation_from(plain, world.body, world.scene).has_value());
     WalkerMeasures wider = world.body;
     wider.radius_m = 0.3;
-    EXPECT_FALSE(ways_from(plain, wider, world.scene).has_value());
-    EXPECT_FALSE(ways_from(plain, world.body, Scene{}).has_value()) << "they name things that are not in it";
+    EXPECT_FALSE(navigation_from(plain, wider, world.scene).has_value());
+    EXPECT_FALSE(navigation_from(plain, world.body, Scene{}).has_value()) << "they name things that are not in it";
 }
 
-TEST(StoredWays, are_named_in_the_currently_spoken_language) {
+TEST(StoredNavigation, are_named_in_the_currently_spoken_language) {
     const World world("worlds/maps/house.map");
     const std::string bytes = world.bytes();
     const test::InLanguage german("de");
     const RoomGraph meant = make_rooms(world.scene, world.space);
-    const std::optional<FoundWays> kept = world.from(bytes);
+    const std::optional<FoundNavigation> kept = world.from(bytes);
     ASSERT_TRUE(kept.has_value());
     expect_same(*kept, world.space, meant);
     EXPECT_NE(meant.rooms[0].name, world.graph.rooms[0].name);
@@ -124,28 +126,29 @@ TEST(StoredWays, are_named_in_the_currently_spoken_language) {
 
 // The cache detects changes by its digest, which unit_cache tests. Truncation must be detected even without the digest,
 // by the reader of stored routes itself.
-TEST(StoredWays, cut_anywhere_are_rejected) {
+TEST(StoredNavigation, cut_anywhere_are_rejected) {
     const World world("tests/unit/ifc/worlds/small_house.ifc");
-    const std::string whole = world.bytes(), plain = unpacked_ways(whole);
+    const std::string whole = world.bytes(), plain = unpacked_navigation(whole);
     ASSERT_FALSE(plain.empty());
     for (std::size_t at = 0; at < whole.size(); at += 1 + whole.size() / 300)
-        ASSERT_EQ(unpacked_ways(std::string_view(whole).substr(0, at)), "") << "cut at " << at;
+        ASSERT_EQ(unpacked_navigation(std::string_view(whole).substr(0, at)), "") << "cut at " << at;
     for (std::size_t at = 0; at < plain.size(); at += 1 + plain.size() / 700)
-        ASSERT_FALSE(ways_from(std::string_view(plain).substr(0, at), world.body, world.scene)) << "cut at " << at;
-    EXPECT_FALSE(ways_from(plain + "x", world.body, world.scene));
+        ASSERT_FALSE(navigation_from(std::string_view(plain).substr(0, at), world.body, world.scene))
+            << "cut at " << at;
+    EXPECT_FALSE(navigation_from(plain + "x", world.body, world.scene));
 }
 
-TEST(StoredWays, that_claim_an_impossible_size_allocate_no_memory) {
+TEST(StoredNavigation, that_claim_an_impossible_size_allocate_no_memory) {
     const World world("tests/unit/ifc/worlds/small_house.ifc");
     std::string bytes = world.bytes();
     for (int byte = 0; byte < 8; ++byte) bytes[static_cast<std::size_t>(byte)] = '\x7f';
-    EXPECT_EQ(unpacked_ways(bytes), "");
+    EXPECT_EQ(unpacked_navigation(bytes), "");
 }
 
 // Simulates an attacker who knows the format. The attacker changes values and compresses them correctly.
-TEST(StoredWays, that_were_forged_are_consistent_or_rejected) {
+TEST(StoredNavigation, that_were_forged_are_consistent_or_rejected) {
     const World world("worlds/maps/first_room.map");
-    const std::string values = unpacked_ways(world.bytes());
+    const std::string values = unpacked_navigation(world.bytes());
     // Returns a file with the size before compression, followed by the compressed bytes.
     const auto file_of = [&](const std::string& changed) {
         std::string packed(::compressBound(static_cast<uLong>(changed.size())), '\0');
@@ -171,8 +174,9 @@ TEST(StoredWays, that_were_forged_are_consistent_or_rejected) {
             changed[random() % 4 ? at : changed.size() - 1 - at] = static_cast<char>(random() % 3 ? random() : 0xff);
         }
         // The result must be the same whether the data comes through the reader process or directly.
-        EXPECT_EQ(ways_from(changed, world.body, world.scene).has_value(), world.from(file_of(changed)).has_value());
-        const std::optional<FoundWays> made = ways_from(changed, world.body, world.scene);
+        EXPECT_EQ(navigation_from(changed, world.body, world.scene).has_value(),
+                  world.from(file_of(changed)).has_value());
+        const std::optional<FoundNavigation> made = navigation_from(changed, world.body, world.scene);
         if (!made) {
             ++refused;
             continue;
@@ -184,14 +188,14 @@ TEST(StoredWays, that_were_forged_are_consistent_or_rejected) {
     EXPECT_GT(refused, 50);
 }
 
-TEST(StoredWays, are_worth_storing_if_there_is_much_to_find) {
+TEST(StoredNavigation, are_worth_storing_if_there_is_much_to_find) {
     const World house("worlds/maps/house.map"), room("worlds/maps/first_room.map");
     EXPECT_TRUE(worth_keeping(house.space, house.scene));
     EXPECT_FALSE(worth_keeping(room.space, room.scene)) << "a small room is found sooner";
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_EQ(stored_ways(house.space, house.graph, stop.get_token()), "");
+    EXPECT_EQ(stored_navigation(house.space, house.graph, stop.get_token()), "");
 }
 
-}  // namespace stored_ways_test
+}  // namespace stored_navigation_test
 }  // namespace handrail

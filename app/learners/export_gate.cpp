@@ -1,4 +1,4 @@
-#include "app/learners/way_out.h"
+#include "app/learners/export_gate.h"
 
 #include <algorithm>
 #include <system_error>
@@ -27,34 +27,34 @@ fs::path below(const fs::path& inside, const fs::path& whole) {
 
 }  // namespace
 
-Result<WayOut> WayOut::of(const Learners& learners, const fs::path& data) {
-    if (learners.folder().empty()) return WayOut();
+Result<ExportGate> ExportGate::of(const Learners& learners, const fs::path& data) {
+    if (learners.folder().empty()) return ExportGate();
     const fs::path rest = below(real_path(data), real_path(learners.folder()));
-    if (rest.empty()) return WayOut();
+    if (rest.empty()) return ExportGate();
     const std::string id = learners.id_of(rest.begin()->string());
-    if (id.empty()) return WayOut();
+    if (id.empty()) return ExportGate();
     auto learner = learners.find(id);
     if (!learner) return tl::unexpected(std::move(learner.error()));
     return of(learners, std::move(*learner));
 }
 
-WayOut WayOut::of(const Learners& learners, Learner learner) {
-    WayOut way;
+ExportGate ExportGate::of(const Learners& learners, Learner learner) {
+    ExportGate way;
     way.folder_ = learners.folder_of(learner.id);
     way.learner_ = std::move(learner);
     return way;
 }
 
-bool WayOut::leaves(const fs::path& file) const {
+bool ExportGate::leaves(const fs::path& file) const {
     return learner_ && below(real_path(file), real_path(folder_)).empty();
 }
 
-Result<void> WayOut::allows(const fs::path& file) const {
+Result<void> ExportGate::allows(const fs::path& file) const {
     if (!leaves(file) || learner_->allows(Purpose::Share, today())) return {};
     return fail(phrase("learner.not_shared", {{"name", learner_->name}}));
 }
 
-Result<void> WayOut::write(const fs::path& file, std::string_view content, Writer how) const {
+Result<void> ExportGate::write(const fs::path& file, std::string_view content, Writer how) const {
     if (auto allowed = allows(file); !allowed) return allowed;
     if (leaves(file))
         if (auto noted = note_exported(folder_, file, content); !noted) return noted;

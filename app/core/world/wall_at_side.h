@@ -15,6 +15,6 @@ namespace handrail::core {
 // - A pane or door leaf with nothing behind it is assumed to be 0.2 m back in its wall, which is the usual depth. If a
 //   piece of wall next to it shows the true depth, that depth is used.
 inline constexpr double kWallGoesOn_m = 2.5;
-double wall_beside_m(const WalkerWorld& world, const Vec3& feet_m);
+double wall_at_side_m(const WalkerWorld& world, const Vec3& feet_m);
 
 }  // namespace handrail::core

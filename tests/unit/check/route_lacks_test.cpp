@@ -1,6 +1,6 @@
-// Tests what way_lacks() reports about the best route to a place. The small worlds have one obstruction each. The
+// Tests what route_lacks() reports about the best route to a place. The small worlds have one obstruction each. The
 // reference tries walkers of different sizes one by one.
-#include "worlds/check/way_lacks.h"
+#include "worlds/check/route_lacks.h"
 
 #include <gmock/gmock.h>
 
@@ -22,7 +22,7 @@
 #include "worlds/scene/stated_building.h"
 
 namespace handrail {
-namespace way_lacks_test {
+namespace route_lacks_test {
 
 using ::testing::HasSubstr;
 
@@ -45,21 +45,21 @@ test::SceneBuilder two_rooms(const Vec3& at, double up_m = 0.0) {
 
 constexpr std::array kKinds{Lack::Headroom, Lack::Step, Lack::Width};
 
-WayLacks lacks_in(const Scene& scene, const Vec3& to_m) {
-    const WalkerMeasures body = walk_body(scene, 0.25, 1.8, 0.25);
+RouteLacks lacks_in(const Scene& scene, const Vec3& to_m) {
+    const WalkerMeasures body = walker_measures(scene, 0.25, 1.8, 0.25);
     const Result<WalkSpace> space = make_walk_space(scene, body);
     EXPECT_TRUE(space.has_value());
     const std::array places{to_m};
-    return way_lacks(scene, *space, scene.starts[0].feet_m, places, kKinds)[0];
+    return route_lacks(scene, *space, scene.starts[0].feet_m, places, kKinds)[0];
 }
 
-TEST(WayLacks, are_the_obstacles_to_a_body_and_their_extent) {
+TEST(RouteLacks, are_the_obstacles_to_a_body_and_their_extent) {
     for (const Vec3& at : {Vec3(0.0), Vec3(52'428.8, -26'214.4, 102.4)}) {
         const Vec3 there = at + Vec3(7, 2, 0);
         {  // A beam at 1.3 m.
             test::SceneBuilder b = two_rooms(at);
             b.box(at + Vec3(4, 0, 1.3), at + Vec3(5, 4, 4), "Beam", SolidRole::Solid, {}, FeatureKind::Wall);
-            const WayLacks found = lacks_in(*b.share(), there);
+            const RouteLacks found = lacks_in(*b.share(), there);
             EXPECT_EQ(found.lack, Lack::Headroom);
             EXPECT_NEAR(found.has_m, 1.3, 1e-3);
             EXPECT_NEAR(found.needs_m, 1.8, 1e-9);
@@ -67,7 +67,7 @@ TEST(WayLacks, are_the_obstacles_to_a_body_and_their_extent) {
             EXPECT_LE(found.at_m.x, at.x + 5.3);
         }
         {  // A ledge of half a metre.
-            const WayLacks found = lacks_in(*two_rooms(at, 0.5).share(), there + Vec3(0, 0, 0.5));
+            const RouteLacks found = lacks_in(*two_rooms(at, 0.5).share(), there + Vec3(0, 0, 0.5));
             EXPECT_EQ(found.lack, Lack::Step);
             EXPECT_NEAR(found.has_m, 0.5, 1e-3);
             EXPECT_NEAR(found.needs_m, 0.25, 1e-9);
@@ -77,7 +77,7 @@ TEST(WayLacks, are_the_obstacles_to_a_body_and_their_extent) {
             test::SceneBuilder b = two_rooms(at);
             b.box(at + Vec3(4, 0, 0), at + Vec3(5, 1.85, 4), "wall", SolidRole::Solid, {}, FeatureKind::Wall);
             b.box(at + Vec3(4, 2.15, 0), at + Vec3(5, 4, 4), "wall", SolidRole::Solid, {}, FeatureKind::Wall);
-            const WayLacks found = lacks_in(*b.share(), there);
+            const RouteLacks found = lacks_in(*b.share(), there);
             EXPECT_EQ(found.lack, Lack::Width);
             EXPECT_NEAR(found.has_m, 0.3, 0.06) << "as columns of 5 cm have it";
             EXPECT_NEAR(found.needs_m, 0.5, 1e-9);
@@ -98,13 +98,13 @@ TEST(WayLacks, are_the_obstacles_to_a_body_and_their_extent) {
     }
 }
 
-// way_lacks() must choose the better of two routes and report the worst place on it.
-TEST(WayLacks, are_those_of_the_worst_place_on_the_best_route) {
+// route_lacks() must choose the better of two routes and report the worst place on it.
+TEST(RouteLacks, are_those_of_the_worst_place_on_the_best_route) {
     test::SceneBuilder b = two_rooms(Vec3(0.0));
     b.box({4, 0, 1.0}, {5, 2, 4}, "Beam", SolidRole::Solid, {}, FeatureKind::Wall);
     b.box({4, 2, 1.5}, {4.5, 4, 4}, "Beam", SolidRole::Solid, {}, FeatureKind::Wall);
     b.box({4.5, 2, 1.4}, {5, 4, 4}, "Beam", SolidRole::Solid, {}, FeatureKind::Wall);
-    const WayLacks found = lacks_in(*b.share(), {7, 2, 0});
+    const RouteLacks found = lacks_in(*b.share(), {7, 2, 0});
     EXPECT_EQ(found.lack, Lack::Headroom);
     EXPECT_NEAR(found.has_m, 1.4, 1e-3);
     EXPECT_GT(found.at_m.y, 2.0);
@@ -123,10 +123,10 @@ bool flooded(const Scene& scene, const WalkerMeasures& body, const Vec3& there_m
 }
 
 // The reported amount must be the limit: a slightly smaller walker arrives, and a slightly larger one does not.
-TEST(WayLacks, agree_with_trying_bodies_one_by_one) {
+TEST(RouteLacks, agree_with_trying_bodies_one_by_one) {
     std::mt19937_64 random(test::seed_of_run());
     const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
-    int told = 0;
+    int reported = 0;
     for (int run = 0; run < test::scaled(30); ++run) {
         test::SceneBuilder b = two_rooms(Vec3(0.0), run % 2 == 0 ? 0.0 : between(0.0, 0.7));
         for (double y = 0.0; y < 4.0; y += 1.0) {
@@ -139,7 +139,7 @@ TEST(WayLacks, agree_with_trying_bodies_one_by_one) {
         }
         const auto scene = b.share();
         const Vec3 there(7, 2, scene->solids[1].shape.bounds_m.max_m.z);
-        const WalkerMeasures body = walk_body(*scene, 0.25, 1.8, 0.25);
+        const WalkerMeasures body = walker_measures(*scene, 0.25, 1.8, 0.25);
         const auto comes = [&](const WalkerMeasures& tried) { return flooded(*scene, tried, there); };
         if (comes(body)) continue;
         const Result<WalkSpace> space = make_walk_space(*scene, body);
@@ -147,7 +147,7 @@ TEST(WayLacks, agree_with_trying_bodies_one_by_one) {
         const std::array places{there};
         for (const Lack kind : {Lack::Headroom, Lack::Step}) {
             const std::array kinds{kind};
-            const WayLacks found = way_lacks(*scene, *space, scene->starts[0].feet_m, places, kinds)[0];
+            const RouteLacks found = route_lacks(*scene, *space, scene->starts[0].feet_m, places, kinds)[0];
             WalkerMeasures most = body, less = body, more = body;
             if (kind == Lack::Headroom) {
                 most.height_m *= 0.5;
@@ -160,12 +160,12 @@ TEST(WayLacks, agree_with_trying_bodies_one_by_one) {
             }
             EXPECT_EQ(found.lack == kind, comes(most)) << "run " << run << ", " << word_of(kind);
             if (found.lack != kind) continue;
-            ++told;
+            ++reported;
             EXPECT_TRUE(comes(less)) << "run " << run << ", " << word_of(kind) << " of " << found.has_m;
             EXPECT_FALSE(comes(more)) << "run " << run << ", " << word_of(kind) << " of " << found.has_m;
         }
     }
-    EXPECT_GE(told, test::scaled(5));
+    EXPECT_GE(reported, test::scaled(5));
 }
 
 // Stairs that lead up under a floor without enough headroom, as in many architects' models.
@@ -184,7 +184,7 @@ TEST(RoomOutOfReach, reports_stairs_that_lead_under_a_floor_without_headroom) {
     b.box({0, 0, 2.8}, {5.0, 4, 6.0}, "Ceiling", SolidRole::Solid, {}, FeatureKind::Floor);
     b.start({1, 2, 0}, 0.0);
     const auto scene = b.share();
-    const Result<WalkSpace> space = make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    const Result<WalkSpace> space = make_walk_space(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(space.has_value());
     const RoomGraph graph = make_rooms(*scene, *space);
     std::string said, advice;
@@ -240,17 +240,17 @@ TEST(StairsInOneGo, report_for_each_flight_what_blocks_it) {
     }
     b.scene().stated = std::make_shared<const StatedBuilding>(stated);
     const auto scene = b.share();
-    const Result<WalkSpace> space = make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    const Result<WalkSpace> space = make_walk_space(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(space.has_value());
     const RoomGraph graph = make_rooms(*scene, *space);
-    std::map<std::uint32_t, const WorldFault> told;
+    std::map<std::uint32_t, const WorldFault> reported;
     for (const WorldFault& fault : find_faults(*scene, &*space, &graph))
-        if (fault.kind == FaultKind::StairsInOneGo) told.emplace(fault.feature.value, fault);
-    ASSERT_EQ(told.size(), kHouses);
+        if (fault.kind == FaultKind::StairsInOneGo) reported.emplace(fault.feature.value, fault);
+    ASSERT_EQ(reported.size(), kHouses);
     for (int house = 0; house < kHouses; ++house) {
         const FeatureId stairs = stated.portals[static_cast<std::size_t>(house)].feature;
-        ASSERT_TRUE(told.contains(stairs.value)) << house;
-        const WorldFault& fault = told.at(stairs.value);
+        ASSERT_TRUE(reported.contains(stairs.value)) << house;
+        const WorldFault& fault = reported.at(stairs.value);
         EXPECT_EQ(fault.lack, Lack::Headroom) << house;
         // Part of the walker may still be on the previous or the next step, so the reported headroom may differ by the
         // height of a step.
@@ -271,7 +271,7 @@ TEST(TrialSpaces, agree_with_complete_spaces_about_reachable_places) {
             b.box(from, from + Vec3(between(0.1, 0.6), between(0.2, 1.2), between(0.2, 1.5)), "block");
         }
         const auto scene = b.share();
-        const WalkerMeasures body = walk_body(*scene, 0.25, 1.8, 0.25);
+        const WalkerMeasures body = walker_measures(*scene, 0.25, 1.8, 0.25);
         const auto whole = make_walk_space(*scene, body);
         const auto trial = make_trial_space(*scene, body, {true, std::nullopt});
         const Vec3 start_m = scene->starts[0].feet_m;
@@ -298,7 +298,7 @@ TEST(StairsInOneGo, are_not_needed_under_low_headroom_in_a_family_house) {
     if (!path) GTEST_SKIP() << test::needs_real_world("fzk-haus.ifc");
     const Result<Scene> scene = read_world(*path);
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
-    const Result<WalkSpace> space = make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    const Result<WalkSpace> space = make_walk_space(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(space.has_value());
     const RoomGraph graph = make_rooms(*scene, *space);
     for (const WorldFault& fault : find_faults(*scene, &*space, &graph)) {
@@ -323,12 +323,12 @@ TEST(ThingFaults, are_not_reported_for_the_ground_that_was_added_around_a_buildi
     std::ofstream(file) << "Hall, 5 by 4 metres.\n\nDen, 4 by 4 metres, east of Hall. Opening to Hall.\n";
     const auto read = read_world(file);
     ASSERT_TRUE(read);
-    const Result<WalkSpace> space = make_walk_space(*read, walk_body(*read, 0.25, 1.8, 0.25));
+    const Result<WalkSpace> space = make_walk_space(*read, walker_measures(*read, 0.25, 1.8, 0.25));
     ASSERT_TRUE(space.has_value());
     const RoomGraph graph = make_rooms(*read, *space);
     for (const WorldFault& fault : find_faults(*read, &*space, &graph))
         EXPECT_TRUE(fault.kind == FaultKind::NoLandmark) << fault_words(*read, fault);
 }
 
-}  // namespace way_lacks_test
+}  // namespace route_lacks_test
 }  // namespace handrail

@@ -1,4 +1,4 @@
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,9 +26,9 @@ std::string storey_words(double rise_m, double nearest_m) {
 
 // Returns the place in short words as for exits. If the person does not want rounded values, returns exact words in
 // degrees.
-std::string told_place(const SessionContext& context, double distance_m, double bearing_rad) {
+std::string spoken_place(const SessionContext& context, double distance_m, double bearing_rad) {
     const auto words = context.settings.speech.rounded ? brief_place_words : place_words;
-    return words(distance_m, bearing_rad, context.body.heading_goal_rad, context.settings.speech.directions,
+    return words(distance_m, bearing_rad, context.avatar.heading_goal_rad, context.settings.speech.directions,
                  distances(context));
 }
 
@@ -48,34 +48,35 @@ DistanceWords distances(const settings::Settings& settings) {
 
 double workspace_heading_rad(const SessionContext& context) {
     const double frame =
-        context.settings.workspace.frame == settings::FrameChoice::Walk ? context.body.heading_rad : 0.0;
+        context.settings.workspace.frame == settings::FrameChoice::Walk ? context.avatar.heading_rad : 0.0;
     return frame + radians_from_degrees(context.settings.workspace.turn_deg);
 }
 
 std::string where_words(const SessionContext& context, double distance_m, double bearing_rad) {
-    return place_words(distance_m, bearing_rad, context.body.heading_goal_rad, context.settings.speech.directions,
+    return place_words(distance_m, bearing_rad, context.avatar.heading_goal_rad, context.settings.speech.directions,
                        distances(context));
 }
 
 std::string where_words(const SessionContext& context, const Aabb& box) {
-    const Vec3 way = nearest_place(box, context.body.feet_m() + Vec3(0.0, 0.0, kWaist_m)) - context.body.feet_m();
+    const Vec3 way = nearest_place(box, context.avatar.feet_m() + Vec3(0.0, 0.0, kWaist_m)) - context.avatar.feet_m();
     const double level_m = std::hypot(way.x, way.y);
     // For a thing at the feet, only the distance is announced, because a direction would mean nothing.
     const std::string where = level_m < kUnderfoot_m ? distance_words(level_m, distances(context))
-                                                     : told_place(context, level_m, std::atan2(way.x, way.y));
-    return joined(where, storey_words(box.min_m.z - context.body.feet_m().z, way.z));
+                                                     : spoken_place(context, level_m, std::atan2(way.x, way.y));
+    return joined(where, storey_words(box.min_m.z - context.avatar.feet_m().z, way.z));
 }
 
 std::string where_words_on_foot(const SessionContext& context, const Aabb& box, double on_foot_m) {
-    const Vec3 way = nearest_place(box, context.body.feet_m() + Vec3(0.0, 0.0, kWaist_m)) - context.body.feet_m();
+    const Vec3 way = nearest_place(box, context.avatar.feet_m() + Vec3(0.0, 0.0, kWaist_m)) - context.avatar.feet_m();
     const std::string far = phrase("place.on_foot", {{"distance", distance_words(on_foot_m, distances(context))}});
-    const std::string where = joined(far, brief_direction_words(std::atan2(way.x, way.y), context.body.heading_goal_rad,
-                                                                context.settings.speech.directions));
-    return joined(where, storey_words(box.min_m.z - context.body.feet_m().z, way.z));
+    const std::string where =
+        joined(far, brief_direction_words(std::atan2(way.x, way.y), context.avatar.heading_goal_rad,
+                                          context.settings.speech.directions));
+    return joined(where, storey_words(box.min_m.z - context.avatar.feet_m().z, way.z));
 }
 
 std::string storey_words(const SessionContext& context, double floor_z_m) {
-    const double rise_m = floor_z_m - context.body.feet_m().z;
+    const double rise_m = floor_z_m - context.avatar.feet_m().z;
     return storey_words(rise_m, rise_m);
 }
 
@@ -98,14 +99,14 @@ std::string name_of(const SessionContext& context, FeatureId feature) {
 }
 
 Vec3 finding_place_m(const SessionContext& context) {
-    return context.hands.answers() ? context.hands.tool.proxy_m : context.body.feet_m() + Vec3(0.0, 0.0, kWaist_m);
+    return context.hands.answers() ? context.hands.tool.proxy_m : context.avatar.feet_m() + Vec3(0.0, 0.0, kWaist_m);
 }
 
 std::string lock_words(const SessionContext& context, FeatureId door) {
     const int found = mover_of(context.world, door);
     const auto mover = static_cast<std::uint32_t>(found);
     if (found < 0 || !locked(context.world, mover) || !shut(context.world, mover)) return {};
-    return phrase(button_of(context.world, mover, context.body.feet_m() + Vec3(0.0, 0.0, kLookHeight_m))
+    return phrase(button_of(context.world, mover, context.avatar.feet_m() + Vec3(0.0, 0.0, kLookHeight_m))
                       ? "rooms.locked"
                       : "questions.opened_from_elsewhere");
 }

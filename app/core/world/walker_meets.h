@@ -10,7 +10,7 @@ namespace handrail::core {
 
 // Returns what the walker bumps into first in that direction, ignoring what the walker can step over. Returns no value
 // if nothing is within range.
-std::optional<Seen> body_meets(const WalkerWorld& world, const Vec3& feet_m, const WalkerSize& size, double bearing_rad,
-                               double range_m = kSightRange_m);
+std::optional<Seen> walker_meets(const WalkerWorld& world, const Vec3& feet_m, const WalkerSize& size,
+                                 double bearing_rad, double range_m = kSightRange_m);
 
 }  // namespace handrail::core

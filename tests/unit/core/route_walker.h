@@ -42,7 +42,7 @@ inline bool walk_along(AppSession& person, const std::function<bool()>& there, d
         }
         if (person.now - moved_s < kStuck_s) continue;
         app.apply(Steered{{}}, person.now);
-        person.ask(Command::Use);
+        person.request(Command::Use);
         person.run(kDoorOpens_s);
         moved_s = person.now;
     }
@@ -52,7 +52,7 @@ inline bool walk_along(AppSession& person, const std::function<bool()>& there, d
 
 // Chooses a room in the list of routes and walks there. Returns true if the walker arrives.
 inline bool go_to_room(AppSession& person, const std::string& room, double seconds) {
-    person.ask(Command::Routes);
+    person.request(Command::Routes);
     person.line(room);
     person.said.clear();
     person.bumped.clear();

@@ -11,7 +11,7 @@
 namespace handrail::test {
 
 // Returns the direction through a shut door leaf: horizontal, and perpendicular to the leaf's largest vertical face.
-inline std::optional<Vec3> way_through(const Scene& scene, FeatureId leaf) {
+inline std::optional<Vec3> direction_through(const Scene& scene, FeatureId leaf) {
     std::optional<Vec3> way;
     double largest_m2 = 0.0;
     for (const Solid& solid : scene.solids) {
@@ -41,7 +41,7 @@ inline std::vector<DoorToPass> doors_to_pass(const Scene& scene) {
     for (const StatedPortal& portal : scene.stated->portals) {
         if (portal.kind != StatedPortalKind::Door || !portal.passable) continue;
         if (portal.rooms.empty() && !scene.stated->rooms.empty()) continue;
-        if (const std::optional<Vec3> way = way_through(scene, portal.feature)) doors.push_back({&portal, *way});
+        if (const std::optional<Vec3> way = direction_through(scene, portal.feature)) doors.push_back({&portal, *way});
     }
     return doors;
 }

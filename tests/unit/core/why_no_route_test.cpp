@@ -10,7 +10,7 @@
 #include "worlds/navigation/rooms.h"
 
 namespace handrail {
-namespace why_no_way_test {
+namespace why_no_route_test {
 
 // Makes two rooms of 5 by 4 m with a gap between them. The farther room is empty. The wall between them has the
 // thickness `wall_m`, and the gap has the height `high_m`.
@@ -32,11 +32,12 @@ std::shared_ptr<const Scene> two_rooms(double gap_m, double wall_m = 0.2, double
     return b.share();
 }
 
-struct Asked : test::AppSession {
-    Asked(double gap_m, bool beside) : test::AppSession({}, {}, {.executor = beside ? on_threads() : at_once()}) {
+struct Requested : test::AppSession {
+    Requested(double gap_m, bool background)
+        : test::AppSession({}, {}, {.executor = background ? on_threads() : at_once()}) {
         app.apply(WorldEntered{make_ready(two_rooms(gap_m))}, 0.0);
         wait_for([&] {
-            ask(Command::Routes);
+            request(Command::Routes);
             return app.dialogue().is_open();
         });
         const auto items = app.dialogue().view().items;
@@ -56,12 +57,12 @@ struct Asked : test::AppSession {
 };
 
 TEST(NoRouteReason, is_reported_with_a_remedy_at_once_or_from_a_background_task) {
-    for (const bool beside : {false, true}) {
-        Asked asked(0.3, beside);
-        EXPECT_TRUE(asked.heard("No walking route found to Study"));
-        asked.wait_for([&] { return asked.heard("Study cannot be reached on foot from the base"); });
-        EXPECT_TRUE(asked.heard("the best route to it is only 0.3 metres wide"));
-        EXPECT_TRUE(asked.heard("Make the route at least 0.5 metres wide there"));
+    for (const bool background : {false, true}) {
+        Requested requested(0.3, background);
+        EXPECT_TRUE(requested.heard("No walking route found to Study"));
+        requested.wait_for([&] { return requested.heard("Study cannot be reached on foot from the base"); });
+        EXPECT_TRUE(requested.heard("the best route to it is only 0.3 metres wide"));
+        EXPECT_TRUE(requested.heard("Make the route at least 0.5 metres wide there"));
     }
 }
 
@@ -78,7 +79,7 @@ TEST(NoRouteReason, is_a_gap_that_is_too_narrow_or_too_low_in_any_wall) {
             SCOPED_TRACE(std::to_string(wall_m) + " m thick, " + std::to_string(gap.wide_m) + " m wide, " +
                          std::to_string(gap.high_m) + " m high");
             const std::shared_ptr<const Scene> scene = two_rooms(gap.wide_m, wall_m, gap.high_m);
-            const Result<WalkSpace> space = make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+            const Result<WalkSpace> space = make_walk_space(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
             ASSERT_TRUE(space.has_value());
             const RoomGraph graph = make_rooms(*scene, *space);
             std::vector<WorldFault> found;
@@ -105,11 +106,11 @@ TEST(FaultWords, never_advise_widening_a_doorway_that_is_wide_enough) {
 }
 
 TEST(NoRouteReason, is_not_reported_if_a_route_exists) {
-    Asked asked(1.2, false);
-    asked.run(1.0);
-    EXPECT_FALSE(asked.heard("No walking route"));
-    EXPECT_FALSE(asked.heard("cannot be reached"));
+    Requested requested(1.2, false);
+    requested.run(1.0);
+    EXPECT_FALSE(requested.heard("No walking route"));
+    EXPECT_FALSE(requested.heard("cannot be reached"));
 }
 
-}  // namespace why_no_way_test
+}  // namespace why_no_route_test
 }  // namespace handrail

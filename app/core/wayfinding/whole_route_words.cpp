@@ -1,4 +1,4 @@
-#include "app/core/wayfinding/way_words.h"
+#include "app/core/wayfinding/whole_route_words.h"
 
 #include <fmt/ranges.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/core/context/telling.h"
+#include "app/core/context/context_words.h"
 #include "app/core/wayfinding/stops.h"
 #include "worlds/base/language.h"
 
@@ -54,13 +54,13 @@ std::string overview_words(const SessionContext& context, const Rooms& rooms, co
     return capitalised(phrase("route.in_all_through", {{"distance", distance}, {"rooms", all}}));
 }
 
-std::string whole_way_words(const SessionContext& context, const Rooms& rooms, const std::string& name,
-                            std::span<const Stop> stops) {
+std::string whole_route_words(const SessionContext& context, const Rooms& rooms, const std::string& name,
+                              std::span<const Stop> stops) {
     RouteRun along{{stops.begin(), stops.end()}, 1, false, {}, 0};
     Vec3 from = stops.front().place_m;
-    double heading_rad = context.body.heading_rad, all_m = 0.0;
+    double heading_rad = context.avatar.heading_rad, all_m = 0.0;
     // If the person does not stand at the first stop, left and right at that stop would mean nothing to them.
-    bool first = !near_stop(stops.front(), context.body.feet_m(), kAtStop_m);
+    bool first = !near_stop(stops.front(), context.avatar.feet_m(), kAtStop_m);
     std::string legs;
     while (along.next < stops.size()) {
         const navigation::Route route = plan_through(rooms.navigation(), from, along.places());

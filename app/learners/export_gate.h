@@ -1,7 +1,7 @@
 // Writes a file outside the learner's folder from data that may belong to that learner. Every command that writes such
-// a file must use a WayOut, so that no data of a learner leave the folder in any other way. A WayOut checks that the
-// learner agreed to share. It also adds the file to the list in the learner's folder, so that deleting the learner
-// deletes the file, too. Any thread.
+// a file must use an ExportGate, so that no data of a learner leave the folder in any other way. An ExportGate checks
+// that the learner agreed to share. It also adds the file to the list in the learner's folder, so that deleting the
+// learner deletes the file, too. Any thread.
 #pragma once
 
 #include <filesystem>
@@ -13,14 +13,14 @@
 
 namespace handrail::learners {
 
-class WayOut {
+class ExportGate {
 public:
-    // Makes a WayOut for `data`, a file or folder. The data belong to a learner if they are in that learner's folder
-    // after links are resolved; otherwise they belong to nobody. Fails if the learner's file cannot be read, because
-    // the consents are then unknown.
-    static Result<WayOut> of(const Learners& learners, const std::filesystem::path& data);
-    // Makes a WayOut for data of this learner, wherever they are.
-    static WayOut of(const Learners& learners, Learner learner);
+    // Makes an ExportGate for `data`, a file or folder. The data belong to a learner if they are in that learner's
+    // folder after links are resolved; otherwise they belong to nobody. Fails if the learner's file cannot be read,
+    // because the consents are then unknown.
+    static Result<ExportGate> of(const Learners& learners, const std::filesystem::path& data);
+    // Makes an ExportGate for data of this learner, wherever they are.
+    static ExportGate of(const Learners& learners, Learner learner);
 
     // Returns the owner of the data; null: nobody.
     const Learner* learner() const { return learner_ ? &*learner_ : nullptr; }

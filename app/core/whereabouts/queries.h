@@ -14,11 +14,11 @@
 
 namespace handrail::core {
 
-class Asking : SessionPart {
+class Queries : SessionPart {
 public:
     static constexpr std::size_t kMostWords = 25;
 
-    Asking(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
+    Queries(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
     // Carries out the commands that ask such questions. Returns false for other commands.
     bool act(Command command, double now_s);
@@ -27,7 +27,7 @@ public:
     std::string where_am_i(std::size_t most_words = kMostWords) const;
     // Returns the thing that the person asked about last, under the hand or ahead, or kNoFeature. Each thing is
     // returned only once.
-    FeatureId take_asked_about() { return std::exchange(asked_about_, kNoFeature); }
+    FeatureId take_queried_thing() { return std::exchange(queried_thing_, kNoFeature); }
     // Returns what is on one side of the person, counted in quarter circles clockwise from straight ahead, 0 to 3.
     std::string side_sentence(int quarter) const;
     // Returns the present state of a thing that moves, such as "shut" or "moved"; empty if the thing has no state.
@@ -37,16 +37,16 @@ public:
 
 private:
     bool answer(Command command, double now_s);
-    Telling telling() const;
-    Asker asker() const;
+    DescriptionStyle style() const;
+    Viewpoint viewpoint() const;
     std::string state_of(const Sight& sight) const;
-    std::string tell_sight(const Sight& sight) const;
+    std::string describe_sight(const Sight& sight) const;
     std::string place_and_heading() const;
     std::uint32_t room_here() const;
     std::string where_words_now(double now_s);
-    std::string tell_there(std::span<const Sight> sights) const;
+    std::string describe_there(std::span<const Sight> sights) const;
     std::vector<std::string> ways_out() const;
-    std::string tell_sights(std::span<const Sight> sights) const;
+    std::string describe_sights(std::span<const Sight> sights) const;
     std::string around_me() const;
     std::string ahead_of_me();
     void look_round(int by, double now_s);
@@ -57,13 +57,13 @@ private:
     std::string touched_words(const servo::ToolState& tool);
 
     Rooms& rooms_;
-    FeatureId asked_about_ = kNoFeature;
+    FeatureId queried_thing_ = kNoFeature;
     LookRound look_round_;
     struct Stood {
         Vec3 feet_m{0.0};
         double heading_rad = 0.0;
     };
-    std::optional<Stood> asked_at_;  // where the person last got the short answer to "where am I"
+    std::optional<Stood> queried_at_;  // where the person last got the short answer to "where am I"
     // The things that "what is this" described last, for the right or only hand and the left hand.
     FeatureId described_ = kNoFeature, left_described_ = kNoFeature;
 };

@@ -17,7 +17,7 @@ bool free_line(const WalkerWorld& world, const Vec3& from_m, const Vec3& to_m, F
 
 // Returns true if a proxy can move straight from `from_m` to `to_m`, or until it touches the thing. Returns false if
 // the proxy touches something at the start.
-bool ball_passes(const WalkerWorld& world, const Vec3& from_m, const Vec3& to_m, FeatureId thing);
+bool proxy_passes(const WalkerWorld& world, const Vec3& from_m, const Vec3& to_m, FeatureId thing);
 
 // Returns the point of a thing that is nearest to `from_m`, moved slightly into the thing. The faces of the thing may
 // be covered by what it stands on or hangs at.
@@ -35,7 +35,7 @@ bool hand_can_follow(const navigation::Route& route);
 // Returns the points of a hand's path. It leads from the hand to the route, and along the route at `height_m` above the
 // floor. If the goal is reached, it also leads from the end of the route to the thing. If there are more than `most`
 // points, those that bend the path least are left out.
-std::vector<Vec3> hand_way(const navigation::Route& route, const Vec3& hand_m, double height_m,
-                           const WalkerWorld& world, const Aabb& thing_m, FeatureId thing, std::size_t most);
+std::vector<Vec3> path_of_hand(const navigation::Route& route, const Vec3& hand_m, double height_m,
+                               const WalkerWorld& world, const Aabb& thing_m, FeatureId thing, std::size_t most);
 
 }  // namespace handrail::core

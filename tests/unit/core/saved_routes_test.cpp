@@ -15,7 +15,7 @@
 #include "worlds/navigation/route_place.h"
 
 namespace handrail {
-namespace ways_test {
+namespace saved_routes_test {
 
 namespace fs = std::filesystem;
 using test::SceneBuilder;
@@ -56,7 +56,7 @@ void expect_same(const std::vector<SavedRoute>& a, const std::vector<SavedRoute>
     }
 }
 
-TEST(Ways, are_saved_to_the_last_bit_together_with_marks_and_unknown_content) {
+TEST(SavedRoutes, are_saved_to_the_last_bit_together_with_marks_and_unknown_content) {
     const TemporaryFolder folder;
     const fs::path world = folder.write("a.map", "x");
     folder.write("a.map.handrail.toml",
@@ -66,15 +66,15 @@ TEST(Ways, are_saved_to_the_last_bit_together_with_marks_and_unknown_content) {
                  "[[way.stop]]\nname = \"B\"\nplace_m = [1.0, 0.0, 0.0]\n");
     SideFile file = SideFile::of_world(world, {});
     std::vector<Error> faults;
-    std::vector<SavedRoute> ways = read_ways(file, faults);
+    std::vector<SavedRoute> ways = read_saved_routes(file, faults);
     ASSERT_TRUE(faults.empty());
     ASSERT_EQ(ways.size(), 1U);
     EXPECT_EQ(text_of(ways[0].stops[0].kept, "sign"), "red");
     ways.push_back(tour());
-    write_ways(file, ways);
+    write_saved_routes(file, ways);
     ASSERT_TRUE(file.save());
     const SideFile again = SideFile::of_world(world, {});
-    expect_same(read_ways(again, faults), ways);
+    expect_same(read_saved_routes(again, faults), ways);
     EXPECT_TRUE(faults.empty());
     EXPECT_EQ(again.entries("mark").size(), 1U);
     const std::string text = test::content_of(folder.path() / "a.map.handrail.toml");
@@ -82,7 +82,7 @@ TEST(Ways, are_saved_to_the_last_bit_together_with_marks_and_unknown_content) {
         EXPECT_THAT(text, HasSubstr(part));
 }
 
-TEST(Ways, that_are_unreadable_are_reported_with_file_line_and_advice_and_stay_in_the_file) {
+TEST(SavedRoutes, that_are_unreadable_are_reported_with_file_line_and_advice_and_stay_in_the_file) {
     const std::string two =
         "[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0, 0.0]\n[[way.stop]]\nname = \"B\"\nplace_m = [1.0, 0.0, "
         "0.0]\n";
@@ -116,13 +116,13 @@ TEST(Ways, that_are_unreadable_are_reported_with_file_line_and_advice_and_stay_i
         SideFile file = SideFile::of_world(world, {});
         ASSERT_TRUE(file.news().empty()) << file.news().front();
         std::vector<Error> faults;
-        const std::vector<SavedRoute> ways = read_ways(file, faults);
+        const std::vector<SavedRoute> ways = read_saved_routes(file, faults);
         ASSERT_EQ(ways.size(), 1U) << one.fault;
         ASSERT_EQ(faults.size(), 1U) << one.fault;
         EXPECT_THAT(faults[0].sentence(), testing::StartsWith("a.map.handrail.toml, line 9: ")) << one.fault;
         EXPECT_THAT(faults[0].sentence(), HasSubstr(one.fault));
         const std::vector<SideEntry> before = file.entries("way");
-        write_ways(file, ways);
+        write_saved_routes(file, ways);
         ASSERT_TRUE(file.save());
         const std::vector<SideEntry> after = SideFile::of_world(world, {}).entries("way");
         if (one.entry.find("nan") == std::string::npos) {  // NaN is not equal to anything
@@ -132,11 +132,11 @@ TEST(Ways, that_are_unreadable_are_reported_with_file_line_and_advice_and_stay_i
     }
 }
 
-TEST(Ways, survive_a_file_that_is_cut_or_changed_at_every_byte) {
+TEST(SavedRoutes, survive_a_file_that_is_cut_or_changed_at_every_byte) {
     const TemporaryFolder folder;
     const fs::path world = folder.write("a.map", "x");
     SideFile file = SideFile::of_world(world, {});
-    write_ways(file, {tour(), tour()});
+    write_saved_routes(file, {tour(), tour()});
     ASSERT_TRUE(file.save());
     const std::string whole = test::content_of(folder.path() / "a.map.handrail.toml");
     std::mt19937 random(test::seed_of_run());
@@ -150,7 +150,7 @@ TEST(Ways, survive_a_file_that_is_cut_or_changed_at_every_byte) {
         folder.write("a.map.handrail.toml", broken);
         SideFile read = SideFile::of_world(world, {});
         std::vector<Error> faults;
-        const std::vector<SavedRoute> ways = read_ways(read, faults);
+        const std::vector<SavedRoute> ways = read_saved_routes(read, faults);
         EXPECT_EQ(ways.size() + faults.size(), read.entries("way").size());
         for (const Error& fault : faults) EXPECT_FALSE(fault.message.empty());
         for (const SavedRoute& way : ways) {
@@ -162,11 +162,11 @@ TEST(Ways, survive_a_file_that_is_cut_or_changed_at_every_byte) {
         if ((ways.empty() && faults.empty()) || i % 7 != 0) continue;
         // What was read correctly is the same after it was written and read again.
         const std::vector<SideEntry> before = read.entries("way");
-        write_ways(read, ways);
+        write_saved_routes(read, ways);
         ASSERT_TRUE(read.save());
         const SideFile again = SideFile::of_world(world, {});
         ASSERT_TRUE(again.news().empty()) << again.news().front() << "\n" << broken;
-        expect_same(read_ways(again, faults), ways);
+        expect_same(read_saved_routes(again, faults), ways);
         EXPECT_EQ(again.entries("way").size(), before.size());
     }
 }
@@ -197,9 +197,9 @@ Flat flat(const std::optional<Vec3>& table, bool shut = false, const std::option
     b.start({11, 1, 0}, 0.0);
     Flat made;
     made.scene = b.share();
-    const WalkerSize size = body_size(*made.scene, 0.25);
+    const WalkerSize size = walker_size(*made.scene, 0.25);
     auto navigation =
-        Navigation::make(*made.scene, walk_body(*made.scene, size.radius_m, size.height_m, size.step_up_m));
+        Navigation::make(*made.scene, walker_measures(*made.scene, size.radius_m, size.height_m, size.step_up_m));
     EXPECT_TRUE(navigation);
     made.navigation = *navigation;
     made.graph = make_rooms(*made.scene, made.navigation->space());
@@ -224,7 +224,7 @@ std::string unfit(const Flat& flat, const SavedRoute& way = to_the_table()) {
     return fault_words(found, [](double way_m) { return fmt::format("{:.1f} metres", way_m); });
 }
 
-TEST(Ways, are_checked_against_the_world_and_misfits_are_reported_by_name) {
+TEST(SavedRoutes, are_checked_against_the_world_and_misfits_are_reported_by_name) {
     const Vec3 table(2.4, 3.2, 0);
     EXPECT_EQ(unfit(flat(table)), "");
     EXPECT_EQ(unfit(flat(table - Vec3(0.3, 0, 0))), "");  // The table has moved by less than half a metre.
@@ -245,7 +245,7 @@ TEST(Ways, are_checked_against_the_world_and_misfits_are_reported_by_name) {
                 HasSubstr("there is no place to stand on the route to Far end"));
 }
 
-TEST(Ways, know_rooms_by_all_their_names) {
+TEST(SavedRoutes, know_rooms_by_all_their_names) {
     Flat one = flat(Vec3(2.4, 3.2, 0));
     SavedRoute way = to_the_table();
     way.stops[0].room = "Larder";
@@ -263,7 +263,7 @@ TEST(Ways, know_rooms_by_all_their_names) {
     EXPECT_GT(found.stops[0].place_m.x, 6.0);
 }
 
-TEST(Ways, through_several_places_consist_of_consecutive_legs) {
+TEST(SavedRoutes, through_several_places_consist_of_consecutive_legs) {
     const Flat flat_one = flat(Vec3(2.4, 3.2, 0));
     Navigation& navigation = *flat_one.navigation;
     std::vector<Vec3> places{{1, 4, 0}, {11, 4, 0}, {11, 0.5, 0}, {1, 0.5, 0}};
@@ -359,5 +359,5 @@ TEST(Trails, since_a_place_start_at_the_latest_nearest_approach_to_it) {
     EXPECT_EQ(length_of({}), 0.0);
 }
 
-}  // namespace ways_test
+}  // namespace saved_routes_test
 }  // namespace handrail

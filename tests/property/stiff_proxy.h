@@ -6,7 +6,7 @@
 
 namespace handrail::test {
 
-inline TouchTuning stiff_ball(double radius_m) {
+inline TouchTuning stiff_proxy(double radius_m) {
     TouchTuning tuning;
     tuning.radius_m = radius_m;
     tuning.rated_stiffness_n_per_m = 1000.0;

@@ -7,7 +7,7 @@
 #include "tests/support/run_program.h"
 
 namespace handrail::test {
-namespace asked_early_test {
+namespace requested_early_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -23,7 +23,7 @@ std::string said_of(const std::string& lines, const std::vector<std::string>& mo
     return run.out;
 }
 
-TEST(AskedEarly, route_commands_wait_for_the_rooms_and_then_use_the_typed_choice) {
+TEST(RequestedEarly, route_commands_wait_for_the_rooms_and_then_use_the_typed_choice) {
     const std::string said = said_of("routes\nlibrary\nquit\n");
     EXPECT_THAT(said, HasSubstr("Route to which room. "));
     EXPECT_THAT(said, HasSubstr("To Library."));
@@ -31,7 +31,7 @@ TEST(AskedEarly, route_commands_wait_for_the_rooms_and_then_use_the_typed_choice
     EXPECT_THAT(said, Not(HasSubstr("Ask again")));
 }
 
-TEST(AskedEarly, a_command_and_its_choice_can_be_typed_on_one_line_in_either_language) {
+TEST(RequestedEarly, a_command_and_its_choice_can_be_typed_on_one_line_in_either_language) {
     const std::string said = said_of("describe library\nquit\n");
     EXPECT_THAT(said, HasSubstr("Library: "));
     EXPECT_THAT(said, HasSubstr("exit"));
@@ -42,5 +42,5 @@ TEST(AskedEarly, a_command_and_its_choice_can_be_typed_on_one_line_in_either_lan
     EXPECT_THAT(german, HasSubstr("Ausg"));
 }
 
-}  // namespace asked_early_test
+}  // namespace requested_early_test
 }  // namespace handrail::test

@@ -1,4 +1,4 @@
-#include "worlds/stored/stored_ways.h"
+#include "worlds/stored/stored_navigation.h"
 
 #include <zlib.h>
 
@@ -197,7 +197,7 @@ void all_but_spans(A& a, T& space) {
 }
 
 // Packs the space and the graph without compression. Empty if the space must not be kept.
-std::string plain_ways(const navigation::WalkSpace& space, const navigation::RoomGraph& graph) {
+std::string plain_navigation(const navigation::WalkSpace& space, const navigation::RoomGraph& graph) {
     const std::optional<SpanColumns> columns = columns_of(space);
     if (!columns || graph.room_of_span.size() != space.spans.size()) return {};
     Packer all;
@@ -207,9 +207,9 @@ std::string plain_ways(const navigation::WalkSpace& space, const navigation::Roo
 }
 
 // Reads the space and the graph, and makes all checks that do not need the scene.
-std::optional<FoundWays> whole_ways(std::string_view plain) {
+std::optional<FoundNavigation> whole_navigation(std::string_view plain) {
     Unpacker all(plain);
-    FoundWays found;
+    FoundNavigation found;
     SpanColumns columns;
     all_but_spans(all, found.space);
     all(columns, found.graph);
@@ -219,13 +219,13 @@ std::optional<FoundWays> whole_ways(std::string_view plain) {
 }
 
 // Makes the checks that need the scene, and checks that the space can belong to a walker of this size.
-bool belong_to(const Scene& scene, const navigation::WalkerMeasures& asked, const navigation::WalkSpace& space,
+bool belong_to(const Scene& scene, const navigation::WalkerMeasures& requested, const navigation::WalkSpace& space,
                const navigation::RoomGraph& graph) {
     const auto known = [&](FeatureId id) { return !id || id.value < scene.features.size(); };
     navigation::WalkerMeasures body = space.body;
-    if (space.cell_m != body.cell_m || !(body.cell_m >= asked.cell_m) || !(body.cell_m <= 1.0)) return false;
-    body.cell_m = asked.cell_m;
-    return body == asked && std::all_of(space.obstacle_features.begin(), space.obstacle_features.end(), known) &&
+    if (space.cell_m != body.cell_m || !(body.cell_m >= requested.cell_m) || !(body.cell_m <= 1.0)) return false;
+    body.cell_m = requested.cell_m;
+    return body == requested && std::all_of(space.obstacle_features.begin(), space.obstacle_features.end(), known) &&
            std::all_of(space.links.begin(), space.links.end(),
                        [&](const navigation::WalkLink& link) { return known(link.feature); }) &&
            std::all_of(space.spans.begin(), space.spans.end(),
@@ -240,7 +240,7 @@ bool belong_to(const Scene& scene, const navigation::WalkerMeasures& asked, cons
 
 }  // namespace
 
-std::string ways_key(const Scene& scene, const navigation::WalkerMeasures& body) {
+std::string navigation_key(const Scene& scene, const navigation::WalkerMeasures& body) {
     Packer pack;
     archive::count(pack, kWorldsVersion);
     pack(body);
@@ -250,9 +250,9 @@ std::string ways_key(const Scene& scene, const navigation::WalkerMeasures& body)
     return sum.hex();
 }
 
-std::string stored_ways(const navigation::WalkSpace& space, const navigation::RoomGraph& graph,
-                        const std::stop_token& stop) {
-    const std::string plain = plain_ways(space, graph);
+std::string stored_navigation(const navigation::WalkSpace& space, const navigation::RoomGraph& graph,
+                              const std::stop_token& stop) {
+    const std::string plain = plain_navigation(space, graph);
     if (plain.empty() || plain.size() > kMostKept_bytes) return {};
     const std::string packed = deflated(plain, stop);
     if (packed.empty()) return {};
@@ -261,18 +261,19 @@ std::string stored_ways(const navigation::WalkSpace& space, const navigation::Ro
     return head.take() + packed;
 }
 
-std::string unpacked_ways(std::string_view packed) {
+std::string unpacked_navigation(std::string_view packed) {
     Unpacker head(packed);
     const std::uint64_t size = archive::count(head, 0);
     if (!head.good() || size > kMostKept_bytes) return {};
     std::string plain(size, '\0');
     if (!inflate_into(plain, head.rest())) return {};
-    const std::optional<FoundWays> found = whole_ways(plain);
-    return found ? plain_ways(found->space, found->graph) : std::string();
+    const std::optional<FoundNavigation> found = whole_navigation(plain);
+    return found ? plain_navigation(found->space, found->graph) : std::string();
 }
 
-std::optional<FoundWays> ways_from(std::string_view plain, const navigation::WalkerMeasures& body, const Scene& scene) {
-    std::optional<FoundWays> found = whole_ways(plain);
+std::optional<FoundNavigation> navigation_from(std::string_view plain, const navigation::WalkerMeasures& body,
+                                               const Scene& scene) {
+    std::optional<FoundNavigation> found = whole_navigation(plain);
     if (!found || !belong_to(scene, body, found->space, found->graph)) return std::nullopt;
     found->space.said = navigation::said_of(found->space, body);
     // Makes the names in the language that is spoken now, in which the person may have texts of their own.

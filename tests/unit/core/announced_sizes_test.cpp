@@ -12,7 +12,7 @@
 #include "worlds/scene/stated_building.h"
 
 namespace handrail {
-namespace told_sizes_test {
+namespace announced_sizes_test {
 
 constexpr const char* kHouse =
     "Building: Small house.\nWalls: 0.2 metres thick.\n\n"
@@ -26,7 +26,7 @@ std::string said_on_entering(const std::shared_ptr<const Scene>& scene) {
     return fmt::format("{}", fmt::join(session.said, " "));
 }
 
-TEST(ToldSizes, of_a_building_exclude_the_ground_around_it) {
+TEST(AnnouncedSizes, of_a_building_exclude_the_ground_around_it) {
     const auto house = std::make_shared<const Scene>(*read_words(kHouse, "house.rooms"));
     const Vec3 size = building_bounds_m(*house).size_m();
     EXPECT_NEAR(size.x, 6.2, 1e-6);
@@ -34,14 +34,14 @@ TEST(ToldSizes, of_a_building_exclude_the_ground_around_it) {
     EXPECT_GT(house->bounds_m.size_m().x, 15.0) << "with the ground";
     EXPECT_NE(said_on_entering(house).find("Small house, 6 by 9 metres."), std::string::npos)
         << said_on_entering(house);
-    for (const auto& [file, told] :
+    for (const auto& [file, reported] :
          {std::pair("duplex-apartment.ifc", "9 by 18 metres."), std::pair("fzk-haus.ifc", "12 by 10 metres.")})
         if (const auto path = test::real_world(file)) {
-            EXPECT_NE(said_on_entering(test::world_once(*path)).find(told), std::string::npos) << file;
+            EXPECT_NE(said_on_entering(test::world_once(*path)).find(reported), std::string::npos) << file;
         }
 }
 
-TEST(ToldSizes, of_a_room_are_those_of_its_outline_in_any_rotation) {
+TEST(AnnouncedSizes, of_a_room_are_those_of_its_outline_in_any_rotation) {
     for (const double degrees : {0.0, 10.0, 30.0, 90.0, 137.0}) {
         const double turn = degrees * std::numbers::pi / 180.0;
         StatedRoom room;
@@ -56,5 +56,5 @@ TEST(ToldSizes, of_a_room_are_those_of_its_outline_in_any_rotation) {
     }
 }
 
-}  // namespace told_sizes_test
+}  // namespace announced_sizes_test
 }  // namespace handrail

@@ -1,4 +1,4 @@
-#include "app/core/world/body_meets.h"
+#include "app/core/world/walker_meets.h"
 
 #include <cmath>
 
@@ -6,8 +6,8 @@
 
 namespace handrail::core {
 
-std::optional<Seen> body_meets(const WalkerWorld& world, const Vec3& feet_m, const WalkerSize& size, double bearing_rad,
-                               double range_m) {
+std::optional<Seen> walker_meets(const WalkerWorld& world, const Vec3& feet_m, const WalkerSize& size,
+                                 double bearing_rad, double range_m) {
     contract_pre(is_finite(feet_m) && std::isfinite(bearing_rad));
     contract_pre(range_m > 0.0 && size.height_m > size.step_up_m);
     const Vec3 from = feet_m + Vec3(0.0, 0.0, size.step_up_m);

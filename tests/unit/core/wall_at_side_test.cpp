@@ -1,6 +1,6 @@
 // Tests how the distance of a walker from a wall is measured while the walker walks along the wall, whatever the wall
 // consists of.
-#include "app/core/world/wall_beside.h"
+#include "app/core/world/wall_at_side.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace wall_beside_test {
+namespace wall_at_side_test {
 
 using test::box_brush;
 using test::entity;
@@ -50,23 +50,23 @@ WalkerWorld room() {
     return WalkerWorld(std::make_shared<const Scene>(std::move(*scene)));
 }
 
-TEST(WallBeside, continues_across_windows_doors_and_boards) {
+TEST(WallAtSide, continues_across_windows_doors_and_boards) {
     const WalkerWorld world = room();
-    for (double x = 0.6; x <= 7.4; x += 0.1) EXPECT_NEAR(wall_beside_m(world, {x, 5.6, 0.0}), 0.4, 0.02) << x;
-    for (double y = 0.6; y <= 5.4; y += 0.1) EXPECT_NEAR(wall_beside_m(world, {7.6, y, 0.0}), 0.4, 0.02) << y;
+    for (double x = 0.6; x <= 7.4; x += 0.1) EXPECT_NEAR(wall_at_side_m(world, {x, 5.6, 0.0}), 0.4, 0.02) << x;
+    for (double y = 0.6; y <= 5.4; y += 0.1) EXPECT_NEAR(wall_at_side_m(world, {7.6, y, 0.0}), 0.4, 0.02) << y;
     // The board is 6 cm nearer to the walker than its wall.
-    for (double x = 0.6; x <= 4.5; x += 0.1) EXPECT_NEAR(wall_beside_m(world, {x, 0.4, 0.0}), 0.37, 0.04) << x;
+    for (double x = 0.6; x <= 4.5; x += 0.1) EXPECT_NEAR(wall_at_side_m(world, {x, 0.4, 0.0}), 0.37, 0.04) << x;
 }
 
-TEST(WallBeside, includes_things_against_a_wall_but_not_free_standing_things) {
+TEST(WallAtSide, includes_things_against_a_wall_but_not_free_standing_things) {
     const WalkerWorld world = room();
-    for (double x = 5.2; x <= 6.8; x += 0.1) EXPECT_NEAR(wall_beside_m(world, {x, 0.8, 0.0}), 0.4, 0.02) << x;
-    for (double x = 3.2; x <= 4.2; x += 0.1) EXPECT_GT(wall_beside_m(world, {x, 2.0, 0.0}), 1.5) << x;
-    EXPECT_GT(wall_beside_m(world, {4.0, 4.2, 0.0}), 1.7);
+    for (double x = 5.2; x <= 6.8; x += 0.1) EXPECT_NEAR(wall_at_side_m(world, {x, 0.8, 0.0}), 0.4, 0.02) << x;
+    for (double x = 3.2; x <= 4.2; x += 0.1) EXPECT_GT(wall_at_side_m(world, {x, 2.0, 0.0}), 1.5) << x;
+    EXPECT_GT(wall_at_side_m(world, {4.0, 4.2, 0.0}), 1.7);
 }
 
 // A window from corner to corner has no piece of wall next to it.
-TEST(WallBeside, is_a_glass_pane_from_corner_to_corner_but_not_a_pole) {
+TEST(WallAtSide, is_a_glass_pane_from_corner_to_corner_but_not_a_pole) {
     std::string walls = built(-1, -1, -0.2, 9, 7, 0.0) + built(-1, -1, 2.6, 9, 7, 2.8) + built(-0.3, 0, 0, 0, 6, 2.6) +
                         built(8, 0, 0, 8.3, 6, 2.6) + built(-0.3, -0.3, 0, 8.3, 0, 2.6);
     auto scene =
@@ -76,11 +76,11 @@ TEST(WallBeside, is_a_glass_pane_from_corner_to_corner_but_not_a_pole) {
                        "room.map", {});
     ASSERT_TRUE(scene) << scene.error().sentence();
     const WalkerWorld world(std::make_shared<const Scene>(std::move(*scene)));
-    for (double x = 2.1; x <= 5.9; x += 0.1) EXPECT_NEAR(wall_beside_m(world, {x, 5.6, 0.0}), 0.35, 0.05) << x;
-    EXPECT_GT(wall_beside_m(world, {3.6, 3.05, 0.0}), 1.5);
+    for (double x = 2.1; x <= 5.9; x += 0.1) EXPECT_NEAR(wall_at_side_m(world, {x, 5.6, 0.0}), 0.35, 0.05) << x;
+    EXPECT_GT(wall_at_side_m(world, {3.6, 3.05, 0.0}), 1.5);
 }
 
-TEST(WallBeside, continues_along_the_windows_of_a_real_building) {
+TEST(WallAtSide, continues_along_the_windows_of_a_real_building) {
     const auto file = test::real_world("duplex-apartment.ifc");
     if (!file) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
     auto scene = read_world(*file);
@@ -88,17 +88,17 @@ TEST(WallBeside, continues_along_the_windows_of_a_real_building) {
     const WalkerWorld world(std::make_shared<const Scene>(std::move(*scene)));
     // The west wall of a bedroom. 3 of its 5 metres are glass down to the floor.
     int near = 0;
-    for (int i = 0; i <= 100; ++i) near += wall_beside_m(world, {0.75, -17.0 + 0.05 * i, 3.12}) < 0.45;
+    for (int i = 0; i <= 100; ++i) near += wall_at_side_m(world, {0.75, -17.0 + 0.05 * i, 3.12}) < 0.45;
     EXPECT_GE(near, 95) << "of 101";
 }
 
-TEST(WallBeside, ends_where_the_wall_does_not_continue) {
+TEST(WallAtSide, ends_where_the_wall_does_not_continue) {
     const WalkerWorld world = room();
     // There is no wall in the gate, nor outside.
-    EXPECT_GT(wall_beside_m(world, {0.4, 1.7, 0.0}), 1.5);
-    EXPECT_GT(wall_beside_m(world, {-0.7, 1.7, 0.0}), 1.5);
-    EXPECT_NEAR(wall_beside_m(world, {0.4, 4.5, 0.0}), 0.4, 0.02);
+    EXPECT_GT(wall_at_side_m(world, {0.4, 1.7, 0.0}), 1.5);
+    EXPECT_GT(wall_at_side_m(world, {-0.7, 1.7, 0.0}), 1.5);
+    EXPECT_NEAR(wall_at_side_m(world, {0.4, 4.5, 0.0}), 0.4, 0.02);
 }
 
-}  // namespace wall_beside_test
+}  // namespace wall_at_side_test
 }  // namespace handrail

@@ -1,4 +1,4 @@
-#include "app/core/world/wall_beside.h"
+#include "app/core/world/wall_at_side.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ bool is_a_pane(const WalkerWorld& world, const TraceHit& hit) {
     return false;
 }
 
-std::optional<Met> met_on_way(const WalkerWorld& world, const Vec3& eye_m, const Vec3& to_m) {
+std::optional<Met> met_on_route(const WalkerWorld& world, const Vec3& eye_m, const Vec3& to_m) {
     const TraceHit hit = world.trace(eye_m, to_m, WalkerShape{}, true);
     Met::Kind kind = Met::Kind::Wall;
     if (is_a(world, hit, FeatureKind::Object) || is_a(world, hit, FeatureKind::Door)) {
@@ -102,7 +102,7 @@ bool goes_past(const WalkerWorld& world, const Vec3& eye_m, const WallLine& wall
     const auto look_along = [&](double sign, double least_m) {
         for (double along_m = kTries_m; along_m < std::min(least_m, kWallGoesOn_m); along_m += kTries_m) {
             const Vec3 to = wall.point_m(sign * along_m);
-            const auto met = met_on_way(world, eye_m, Vec3(to.x, to.y, eye_m.z));
+            const auto met = met_on_route(world, eye_m, Vec3(to.x, to.y, eye_m.z));
             if (const auto place_m = met && met->kind == Met::Kind::Wall ? wall.place_of(*met) : std::nullopt;
                 place_m && sign * *place_m >= 0.0)
                 return std::min(least_m, sign * *place_m);
@@ -116,7 +116,7 @@ bool goes_past(const WalkerWorld& world, const Vec3& eye_m, const WallLine& wall
 
 }  // namespace
 
-double wall_beside_m(const WalkerWorld& world, const Vec3& feet_m) {
+double wall_at_side_m(const WalkerWorld& world, const Vec3& feet_m) {
     contract_pre(is_finite(feet_m));
     const Vec3 at_m(feet_m.x, feet_m.y, 0.0);
     double nearest_m = 1e9;
@@ -124,7 +124,7 @@ double wall_beside_m(const WalkerWorld& world, const Vec3& feet_m) {
     for (const double height_m : {kWaist_m, kLow_m}) {
         const Vec3 eye = feet_m + Vec3(0.0, 0.0, height_m);
         for (int i = 0; i < kDirections; ++i) {
-            const auto met = met_on_way(world, eye, eye + forward_of_heading(i * 2.0 * kPi / kDirections) * kRange_m);
+            const auto met = met_on_route(world, eye, eye + forward_of_heading(i * 2.0 * kPi / kDirections) * kRange_m);
             if (!met) continue;
             if (met->kind == Met::Kind::Wall) pieces.push_back(*met);
             const double away_m = glm::length(met->at_m - at_m);
