@@ -15,13 +15,13 @@
 namespace handrail::core {
 namespace {
 
-constexpr std::size_t kMostRoomsNamed = 12;     // a sentence names no more rooms than this
+constexpr std::size_t kMostRoomsInAnswer = 12;  // a sentence names no more rooms than this
 constexpr double kLeastRiseToNextRoom_m = 1.8;  // floors nearer than this are not above each other
 
 // Returns "hall, kitchen and 3 more".
 std::string names_of(const navigation::RoomGraph& graph, const std::vector<std::uint32_t>& rooms) {
     std::string names;
-    const std::size_t first = std::min(kMostRoomsNamed, rooms.size());
+    const std::size_t first = std::min(kMostRoomsInAnswer, rooms.size());
     for (std::size_t i = 0; i < first; ++i) names = joined(names, graph.rooms[rooms[i]].name);
     if (rooms.size() == first) return names;
     return phrase("overview.and_more", {{"names", names}, {"more", rooms.size() - first}});
