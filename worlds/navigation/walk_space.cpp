@@ -109,11 +109,11 @@ void find_stairs(SpanGrid<Span>& space, double step_up_m) {
     const auto count = static_cast<std::uint32_t>(space.spans.size());
     // Scans each row of consecutive spans, first to the east, then to the north. Each step also leads back, so the
     // other two directions need no search.
-    struct Tread {
+    struct RowCell {
         float floor_m = 0.0F;
         std::uint32_t next = kNothing;
     };
-    std::vector<Tread> treads(count), row;
+    std::vector<RowCell> treads(count), row;
     std::vector<std::uint32_t> of_row;
     for (const int d : {0, 1}) {
         for (std::uint32_t s = 0; s < count; ++s) treads[s] = {space.spans[s].floor_m, space.spans[s].next[d]};
@@ -126,7 +126,7 @@ void find_stairs(SpanGrid<Span>& space, double step_up_m) {
                 of_row.push_back(s);
             }
             for (std::size_t i = 0; i < row.size(); ++i) {
-                const Tread &ahead = row[std::min(i + reach, row.size() - 1)], &behind = row[i - std::min(i, reach)];
+                const RowCell &ahead = row[std::min(i + reach, row.size() - 1)], &behind = row[i - std::min(i, reach)];
                 if (std::abs(static_cast<double>(ahead.floor_m) - static_cast<double>(behind.floor_m)) >= kStairRise_m)
                     space.spans[of_row[i]].stairs = 1;
             }
