@@ -209,8 +209,10 @@ bool Sitting::walk(const std::vector<Vec3>& places, Sway* sway) {
 }
 
 bool Sitting::hears(const std::string& words, double within_s) {
-    const double until_s = clock_.now_s() + within_s;
+    double until_s = clock_.now_s() + within_s;
+    const double longest_s = clock_.now_s() + 600.0;  // a voice that never falls silent
     for (;;) {
+        if (sound_->speaking() && clock_.now_s() < longest_s) until_s = clock_.now_s() + within_s;
         for (; heard_ < speech_->lines().size(); ++heard_)
             if (speech_->lines()[heard_].utterance.text.find(words) != std::string::npos) return ++heard_, true;
         if (clock_.now_s() >= until_s) return false;

@@ -66,6 +66,7 @@ public:
     // tenth of a second.
     const std::vector<double>& aside_m() const { return aside_m_; }
 
+    // Waits until a line contains the words. Returns false if there was silence for `within_s`.
     bool hears(const std::string& words, double within_s = 20.0);
     std::string all() const;
     // Also teaches `run`, another lesson, in parallel with that of the arguments. Null ends the second lesson.
