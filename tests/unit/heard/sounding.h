@@ -20,7 +20,7 @@ struct PrintedLine {
     bool voiced = true;    // false: the session wrote the line but did not speak it
     bool stopped = false;  // a key cut the line
     std::size_t begin_frame = 0;
-    std::vector<std::int16_t> samples;  // the line as the voice rendered it, at the voice's sample rate
+    std::vector<std::int16_t> samples = {};  // the line as the voice rendered it, at the voice's sample rate
 };
 
 // A single sound that the session played.
