@@ -9,6 +9,7 @@
 
 #include "audio-cues/sinks/synth.h"
 #include "worlds/base/language.h"
+#include "worlds/base/text.h"
 
 namespace handrail::sinks {
 namespace {
@@ -108,7 +109,8 @@ std::optional<ALCint> OpenALDevice::hrtf_named(std::string_view name) const {
     alcGetIntegerv(device_, ALC_NUM_HRTF_SPECIFIERS_SOFT, 1, &count);
     for (ALCint i = 0; i < count; ++i) {
         const ALCchar* found = name_of(device_, ALC_HRTF_SPECIFIER_SOFT, i);
-        if (found != nullptr && std::string_view(found).find(name) != std::string_view::npos) return i;
+        // OpenAL Soft 1.24 calls "default-48000" "Default HRTF".
+        if (found != nullptr && lower_ascii(found).find(lower_ascii(name)) != std::string::npos) return i;
     }
     return std::nullopt;
 }

@@ -65,7 +65,10 @@ if [ "${3:-}" != inside ]; then
         [ -z "$said" ] || fail "$said"
     else note "desktop-file-validate is not installed."; fi
     if command -v appstreamcli >/dev/null; then
-        appstreamcli validate --no-net --pedantic "$tree/share/metainfo/handrail.metainfo.xml" >"$folder/log" 2>&1 || fail "$(cat "$folder/log")"
+        # Our file has no home page, and names its developers as the appstream of Debian 12 knows it.
+        said=$(appstreamcli validate --no-net --pedantic "$tree/share/metainfo/handrail.metainfo.xml" 2>&1 | grep -E '^[EWIP]:' |
+            grep -vE ' (url-homepage-missing|developer-name-tag-deprecated|developer-info-missing)$') || true
+        [ -z "$said" ] || fail "$said"
         # Checks the file as a distributor changes it, who has a web page and pictures.
         sed 's|<releases>|<url type="homepage">https://handrail.example</url><screenshots><screenshot type="default"><image>https://handrail.example/window.png</image><caption>The plan.</caption></screenshot></screenshots>&|' \
             "$tree/share/metainfo/handrail.metainfo.xml" >"$folder/with_pictures.metainfo.xml"
