@@ -53,6 +53,13 @@ void use_doorway(const Viewpoint& viewpoint, Seen& seen) {
     }
 }
 
+// Returns true if the sound comes from a thing, which may be hollow or a little smaller than its sound.
+bool sounds_from(const Scene& scene, const Sight& thing, const SoundSource& sound) {
+    const Feature* feature = thing.surface ? nullptr : scene.find(thing.seen.feature);
+    if (!feature || feature->bounds_m.empty()) return false;
+    return glm::length(nearest_place(feature->bounds_m, sound.position_m) - sound.position_m) <= kSoundSize_m;
+}
+
 void sort_by_distance(std::vector<Sight>& sights) {
     std::stable_sort(sights.begin(), sights.end(),
                      [](const Sight& a, const Sight& b) { return a.seen.distance_m < b.seen.distance_m; });
@@ -75,6 +82,9 @@ std::vector<Sight> in_sight(const Viewpoint& viewpoint, std::size_t most) {
         if (name.empty() || distance_m < 1e-6 || distance_m > kSightRange_m) continue;
         const TraceHit hit = viewpoint.world.trace(eye, sound.position_m, WalkerShape{}, true);
         if (hit.hit && (1.0 - hit.fraction) * distance_m > kSoundSize_m) continue;
+        // A person who hears of the grandfather clock needs no second entry for its ticking.
+        if (std::any_of(all.begin(), all.end(), [&](const Sight& sight) { return sounds_from(scene, sight, sound); }))
+            continue;
         all.push_back(
             {{std::atan2(way.x, way.y), std::hypot(way.x, way.y), kNoFeature, sound.position_m}, name, {}, false});
     }

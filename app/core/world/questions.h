@@ -47,7 +47,7 @@ struct Sight {
 };
 
 // Returns things and named sounds in line of sight, the nearest first, at most `most`. If several have the same name,
-// only the nearest of them is included.
+// only the nearest of them is included. A sound that comes from one of the things is left out.
 std::vector<Sight> in_sight(const Viewpoint& viewpoint, std::size_t most);
 // Returns what a walker would bump into straight in this direction, or no value if nothing is within kSightRange_m.
 std::optional<Sight> sight_along(const Viewpoint& viewpoint, double bearing_rad);

@@ -54,6 +54,16 @@ TEST(Questions, about_the_surroundings_are_answered_with_one_unhidden_thing_per_
     EXPECT_THAT(names(in_sight({world, {2, 0.6, 0}, 0.0}, 24)), testing::Contains("Statue"));
 }
 
+TEST(Questions, mention_a_sound_only_if_it_does_not_come_from_a_thing_that_they_mention) {
+    SceneBuilder b = hall();
+    b.box({0.8, 3.8, 0}, {1.2, 4.2, 1.7}, "Grandfather clock", SolidRole::Solid, "wood", FeatureKind::Object);
+    b.scene().sounds.push_back({{7.0, 7.0, 1.0}, "Fan", "hum", 1.0});
+    const auto mentioned = names(in_sight({WalkerWorld(b.share()), {4, 4, 0}, 0.0}, 24));
+    EXPECT_THAT(mentioned, testing::Contains("Grandfather clock"));
+    EXPECT_THAT(mentioned, Not(testing::Contains("Clock")));
+    EXPECT_THAT(mentioned, testing::Contains("Fan"));
+}
+
 TEST(Questions, about_an_empty_quarter_are_answered_with_its_wall_or_that_it_is_open) {
     SceneBuilder b;
     b.box({-5, -5, -0.2}, {5, 5, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
