@@ -21,7 +21,10 @@ constexpr double kDoorwayShare = 0.6;
 constexpr double kWideShare = 0.5;  // the fraction for an opening that is wider than a doorway
 constexpr double kLeastPiece_m2 = 0.3, kLeastWide_m2 = 4.0;
 constexpr double kHuge_m2 = 150.0, kHugeShare = 0.75, kLeastOfHuge_m2 = 10.0;
-constexpr double kLong = 6.0;  // an area longer than this many times its greatest width is split into corridors
+// Greatest width of a rim without a wall, in radii of the walker. A corner makes it wider than one radius.
+constexpr double kRim = 1.5;
+constexpr double kRimLevel_m = 0.3;  // beyond a rim, another floor is at least this much higher or lower
+constexpr double kLong = 6.0;        // an area longer than this many times its greatest width is split into corridors
 
 bool is_plain(const WallSpan& s) { return !s.door && !s.stairs && !s.liquid; }
 
@@ -34,6 +37,7 @@ public:
     OpenPlaces find() {
         stated_ = scene_.stated ? stated_rooms_of(*scene_.stated, walls_)
                                 : std::vector<std::uint32_t>(walls_.spans.size(), kNothing);
+        add_rims();
         watershed();
         if (stop_.stop_requested()) return {};
         label_basins();
@@ -172,6 +176,40 @@ private:
             for (std::uint32_t s = 0; s < walls_.spans.size(); ++s)
                 if (open(s) && (parent_[s] == s) == roots) place(s) = label[place(parent_[s])];
         std::vector<std::uint32_t>().swap(parent_);
+    }
+
+    // Adds the rims of floors without walls, such as platforms, to the rooms of the file. The middle of a walker can be
+    // up to the walker's radius beyond the edge of a floor, where no room of the file is. Without this function, the
+    // strip along the edge of a long platform would become dozens of rooms.
+    void add_rims() {
+        std::vector<std::uint32_t> added;
+        const auto add_next_to = [&](std::uint32_t s) {
+            for (const std::uint32_t n : walls_.spans[s].next)
+                if (n != kNothing && open(n) && is_rim(scene_.stated->rooms[stated_[s]], n)) {
+                    stated_[n] = stated_[s];
+                    added.push_back(n);
+                }
+        };
+        for (std::uint32_t s = 0; s < stated_.size(); ++s)
+            if (stated_[s] != kNothing) add_next_to(s);
+        for (std::size_t i = 0; i < added.size(); ++i) add_next_to(added[i]);
+    }
+
+    // Returns whether the span is near the outline of the room, and no floor continues beyond it.
+    bool is_rim(const StatedRoom& room, std::uint32_t s) const {
+        const Vec3 place_m = walls_.place_m(s);
+        Vec2 out(1e9);  // from the nearest point of the outline to the span
+        for (const std::vector<Vec2>& ring : room.rings)
+            for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+                const Vec2 along = ring[i] - ring[j], off = Vec2(place_m) - ring[j];
+                const double share =
+                    std::clamp(glm::dot(off, along) / std::max(glm::dot(along, along), 1e-12), 0.0, 1.0);
+                if (glm::length(off - along * share) < glm::length(out)) out = off - along * share;
+            }
+        const double far_m = glm::length(out), most_m = kRim * radius_m_;
+        if (far_m < 1e-9 || far_m > most_m) return false;
+        const Vec3 beyond_m = place_m + Vec3(out * (most_m / far_m), 0.0);
+        return walls_.nearest(beyond_m, 0.0, kRimLevel_m, kRimLevel_m) == kNothing;
     }
 
     // Makes each room that the file states one place, even if something divides its floor.

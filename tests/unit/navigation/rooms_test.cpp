@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 
+#include "tests/support/box_scene.h"
 #include "tests/support/map_text.h"
 #include "tests/support/names.h"
 #include "tests/support/project_root.h"
@@ -14,6 +15,7 @@
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"
 #include "worlds/readers/reader.h"
+#include "worlds/scene/stated_building.h"
 
 namespace handrail {
 namespace rooms_test {
@@ -217,6 +219,42 @@ TEST(Rooms, are_separated_by_converging_walls_but_not_by_furniture) {
     const RoomGraph one = rooms_of(two_rooms(
         160.0, test::entity("thing", test::key("name", "Cupboard"), test::box_brush(196, 0, 0, 204, 128, 40))));
     EXPECT_EQ(one.rooms.size(), 1U) << described(one);
+}
+
+// A platform has no walls, so the middle of a walker can be beyond its edges. A floor without a name that adjoins a
+// platform must remain a room.
+TEST(Rooms, that_a_file_states_include_their_rims_without_walls) {
+    const auto across = [](double along_m, double aside_m) {
+        return Vec2(0.96 * along_m - 0.28 * aside_m, 0.28 * along_m + 0.96 * aside_m);
+    };
+    const auto outline = [&](double from_m, double to_m) {
+        return std::vector<Vec2>{across(0.0, from_m), across(60.0, from_m), across(60.0, to_m), across(0.0, to_m)};
+    };
+    for (const double cell_m : {0.05, 0.2})
+        for (const double nameless_m : {0.0, 1.5}) {
+            test::SceneBuilder builder;
+            builder.prism(outline(0.0, 6.0 + nameless_m), -0.5, 0.0, "platform");
+            StatedRoom platform;
+            platform.name = "Platform 1";
+            platform.rings = {outline(0.0, 6.0)};
+            platform.height_m = 3.0;
+            platform.at_m = Vec3(across(30.0, 3.0), 0.0);
+            builder.start(platform.at_m, 0.0);
+            StatedBuilding stated;
+            stated.rooms = {platform};
+            builder.scene().stated = std::make_shared<const StatedBuilding>(stated);
+            WalkerMeasures body;
+            body.cell_m = cell_m;
+            const Result<WalkSpace> space = make_walk_space(builder.scene(), body);
+            ASSERT_TRUE(space);
+            const RoomGraph graph = make_rooms(builder.scene(), *space);
+            const std::uint32_t named = room_at(graph, *space, platform.at_m),
+                                rim = room_at(graph, *space, Vec3(across(30.0, -0.12), 0.0)),
+                                nameless = room_at(graph, *space, Vec3(across(30.0, 6.75), 0.0));
+            EXPECT_EQ(graph.rooms.size(), nameless_m > 0.0 ? 2U : 1U) << described(graph);
+            EXPECT_EQ(rim, named);
+            EXPECT_EQ(nameless != kNothing && nameless != named, nameless_m > 0.0);
+        }
 }
 
 // Corridors without doors, 4 m wide. They form a ring around a block of 20 by 20 m, with an arm of 20 m to the west.
