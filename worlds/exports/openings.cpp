@@ -1,6 +1,7 @@
 #include "worlds/exports/openings.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "worlds/navigation/walk_space.h"
 #include "worlds/plan/room_borders.h"
@@ -22,6 +23,27 @@ Vec2 middle_of(const plan::RoomGrid& grid, std::size_t square) {
 bool joins(const plan::StoreyPortal& portal, const plan::RoomBorder& border) {
     return std::min(portal.rooms[0], portal.rooms[1]) == border.rooms[0] &&
            std::max(portal.rooms[0], portal.rooms[1]) == border.rooms[1];
+}
+
+bool is_in_flight(const plan::StoreyStairs& flight, const Vec2& at_m) {
+    return std::any_of(flight.loops_m.begin(), flight.loops_m.end(),
+                       [&](const std::vector<Vec2>& loop) { return plan::within_loop(loop, at_m); });
+}
+
+// Returns the rooms of the cells of a storey's floor. Where the well of a flight of another storey has no floor, the
+// cells belong to the room in which the flight begins or ends.
+std::vector<std::uint32_t> rooms_with_wells(const plan::Storey& storey) {
+    const plan::StoreyFloor& floor = storey.floor;
+    std::vector<std::uint32_t> rooms = floor.room;
+    for (std::size_t cell = 0; cell < rooms.size(); ++cell) {
+        if (rooms[cell] != navigation::kNothing) continue;
+        const auto wide = static_cast<std::size_t>(floor.wide);
+        const Vec2 at_m = storey.min_m + (Vec2(cell % wide, cell / wide) + Vec2(0.5)) * floor.cell_m;
+        const auto flight = std::find_if(storey.stairs_of_others.begin(), storey.stairs_of_others.end(),
+                                         [&](const plan::StoreyStairs& stairs) { return is_in_flight(stairs, at_m); });
+        if (flight != storey.stairs_of_others.end()) rooms[cell] = flight->room;
+    }
+    return rooms;
 }
 
 class Checker {
@@ -64,6 +86,22 @@ private:
     // would leave no space for those lines.
     bool is_flight(std::uint32_t room) const { return storey_.rooms[room].kind == navigation::RoomKind::Stairs; }
 
+    // Returns whether the place is on or next to a flight of another storey, whose lines also show its sides.
+    bool is_at_flight_of_other(const Vec2& at) const {
+        const double reach_m = kNextToPortal_m + kNextToPortal_mm / on_paper_.mm_per_m;
+        const Vec2 at_m = on_paper_.world(at);
+        return std::any_of(storey_.stairs_of_others.begin(), storey_.stairs_of_others.end(),
+                           [&](const plan::StoreyStairs& flight) {
+                               if (is_in_flight(flight, at_m)) return true;
+                               for (int eighth = 0; eighth < 8; ++eighth) {
+                                   const double way_rad = eighth * kPi / 4.0;
+                                   const Vec2 aside(std::cos(way_rad), std::sin(way_rad));
+                                   if (is_in_flight(flight, at_m + aside * reach_m)) return true;
+                               }
+                               return false;
+                           });
+    }
+
     // Returns whether a route leads to another storey from this place, as at the low end of a ramp. A finger finds no
     // wall at such a place.
     bool leads_on(const plan::RoomBorder& border, const Vec2& at) const {
@@ -90,7 +128,7 @@ private:
             if (crossings.rooms == border.rooms) crossings_m = crossings.places_m;
         for (const std::size_t square : border.squares) {
             const Vec2 at = middle(square);
-            if (!leads_on(border, at) &&
+            if (!leads_on(border, at) && !is_at_flight_of_other(at) &&
                 std::none_of(storey_.portals.begin(), storey_.portals.end(),
                              [&](const plan::StoreyPortal& portal) {
                                  return joins(portal, border) &&
@@ -122,6 +160,7 @@ plan::RoomGrid rooms_on(const Ink& walls, const plan::Storey& storey, const OnPa
         const double at_m = on_paper.world(Vec2((pixel + 0.5) * kInkPixel_mm))[axis];
         return static_cast<int>(std::floor((at_m - storey.min_m[axis]) / floor.cell_m));
     };
+    const std::vector<std::uint32_t> rooms = rooms_with_wells(storey);
     std::vector<int> column;
     for (int x = 0; x < grid.wide; ++x) column.push_back(cell_of(x, 0));
     for (int y = 0; y < grid.high; ++y) {
@@ -137,7 +176,7 @@ plan::RoomGrid rooms_on(const Ink& walls, const plan::Storey& storey, const OnPa
             if (!on_storey) continue;
             const std::size_t square =
                 static_cast<std::size_t>(row) * static_cast<std::size_t>(floor.wide) + static_cast<std::size_t>(cell);
-            if (grid.room[here] != outside) grid.room[here] = floor.room[square];
+            if (grid.room[here] != outside) grid.room[here] = rooms[square];
             if (floor.beyond.empty() || !floor.beyond[square] || grid.blocked[here]) continue;
             grid.blocked[here] = 1;
             beyond.push_back(here);

@@ -755,6 +755,34 @@ TEST(SwellSheet, states_which_stairs_have_no_lines) {
     EXPECT_TRUE(says(*sheet, "Stairs without lines, for lack of space: Kitchen.")) << sheet->plan.text;
 }
 
+TEST(SwellSheet, draws_no_wall_in_the_well_of_stairs_that_two_rooms_lead_to) {
+    if (kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the sheet of our house";
+    // North of both rooms, instead of their wall, is one wide flight down to another storey.
+    Storey storey = two_rooms();
+    const auto box = [](double x0, double y0, double x1, double y1) {
+        return PlanOutline{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+    };
+    storey.things.clear();
+    storey.base.reset();
+    storey.walls_m[1] = box(-0.2, 14.0, 9.4, 14.2);
+    for (const std::size_t side : {std::size_t{2}, std::size_t{3}})
+        for (Vec2& p : storey.walls_m[side]) p.y = p.y > 0.0 ? 14.0 : p.y;
+    storey.max_m.y = 14.7;
+    lay_floor(storey);
+    storey.stairs_of_others.push_back({1, {box(0.25, 3.75, 8.95, 13.75)}});
+    const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
+    ASSERT_TRUE(sheet) << sheet.error().sentence();
+    EXPECT_FALSE(says(*sheet, "Drawn closed")) << sheet->plan.text;
+    EXPECT_FALSE(says(*sheet, "Stairs without lines")) << sheet->plan.text;
+    const Ink ink = ink_of(sheet->plan);
+    for (const double x : {1.0, 6.1, 8.0}) {
+        double black_m = 0.0;
+        for (double y = 4.5; y < 13.5; y += 0.01) black_m += black_at(ink, sheet->on_paper({x, y})) ? 0.01 : 0.0;
+        EXPECT_GT(black_m, 0.1) << "no lines of stairs at " << x;
+        EXPECT_LT(black_m, 4.5) << "a wall along the stairs at " << x;
+    }
+}
+
 TEST(SwellSheet, states_where_it_leads_to_other_storeys) {
     if (kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the sheet of our house";
     Storey storey = two_rooms();
