@@ -226,12 +226,15 @@ public:
         return tasks;
     }
     Range walked(double from_s, double to_s) const {
-        double way_m = 0.0;
+        double way_m = 0.0, rest_m = 0.0;  // rest_m: at most this much is lost where the counting begins anew
         std::optional<Vec3> last_m;
         Vec3 before_m{0.0};
         for (const FrameRow& frame : frames(from_s, to_s)) {
             // Nobody walks this far between two samples, so something placed the walker elsewhere.
-            if (last_m && flat(frame.feet_m, before_m) > 0.5) last_m.reset();
+            if (last_m && flat(frame.feet_m, before_m) > 0.5) {
+                last_m.reset();
+                rest_m += 0.25;
+            }
             before_m = frame.feet_m;
             if (!last_m) last_m = frame.feet_m;
             const double step_m = flat(frame.feet_m, *last_m);
@@ -239,7 +242,7 @@ public:
             way_m += step_m;
             last_m = frame.feet_m;
         }
-        return {0.97 * way_m - 0.3, 1.03 * way_m + 0.3};
+        return {0.97 * way_m - 0.3, 1.03 * way_m + 0.3 + rest_m};
     }
     // Returns the rooms that the walker visited, in order. A position counts for a room if it is at least `in_m` inside
     // the room's outline.
