@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Checks sources with clang-tidy and .clang-tidy:
-#   tests/tidy.sh              sources with uncommitted changes or changed by the last 30 commits; the newest 150
+#   tests/tidy.sh              sources among the files of tests/changed.sh
 #   tests/tidy.sh all          every source of the program
 #   tests/tidy.sh FILE...      the given sources
 # A header stands for the source with the same name. Each source is compiled alone: build/tidy has no unity build and no
@@ -8,13 +8,11 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 cmake --preset release -B build/tidy -DHANDRAIL_TESTS=OFF -DCMAKE_UNITY_BUILD=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >build/tidy.log || { cat build/tidy.log; exit 1; }
-most=100000
 case "${1:-}" in
-    '') most=150; files() { git diff --name-only HEAD; git ls-files --others --exclude-standard; git log -30 --name-only --format=; } ;;
-    all) files() { git ls-files; } ;;
+    '' | all) files() { tests/changed.sh "$@"; } ;;
     *) files() { printf '%s\n' "$@"; } ;;
 esac
 mapfile -t sources < <(files "$@" | sed -nE 's#^((app|audio-cues|haptic|settings|worlds)/.*)\.(cpp|h)$#\1.cpp#p' | awk '!seen[$0]++' |
-    while read -r source; do [ ! -e "$source" ] || echo "$source"; done | sed "${most}q")
+    while read -r source; do [ ! -e "$source" ] || echo "$source"; done)
 printf '%s\0' "${sources[@]}" | xargs -0 -r -n 1 -P "$(nproc)" clang-tidy --quiet -p build/tidy 2> >(grep -v " warnings\? generated" >&2)
 echo "clang-tidy finds nothing in ${#sources[@]} sources."
