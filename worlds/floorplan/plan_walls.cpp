@@ -298,8 +298,11 @@ private:
                 const double length = glm::length(run.to - run.from);
                 const Vec2 along = (run.to - run.from) / length, off = gap.at - run.from;
                 if (std::abs(cross(along, gap.along)) > 0.17 || std::abs(cross(along, off)) > kNearWall_m) continue;
-                const double t = glm::dot(off, along), from = std::max(t - 0.5 * gap.width_m, 0.0),
-                             to = std::min(t + 0.5 * gap.width_m, length);
+                // The ends of a wall reach half its thickness beyond its corners. A file may draw a wall in two pieces
+                // that meet in the middle of a doorway, so these ends are cut, too.
+                const double t = glm::dot(off, along), end_m = 0.5 * plan_.wall_m,
+                             from = std::max(t - 0.5 * gap.width_m, -end_m),
+                             to = std::min(t + 0.5 * gap.width_m, length + end_m);
                 if (to - from > 1e-3) run.gaps.push_back({from, to, kDoorHigh_m, sill_of(gap)});
             }
         }

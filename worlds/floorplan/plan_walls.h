@@ -14,7 +14,8 @@ namespace handrail::floorplan {
 struct WallRun {
     Vec2 from{0.0}, to{0.0};
     struct Gap {
-        // from_m and to_m are distances along the wall. A height_m of 0 means that the gap is as high as the wall.
+        // from_m and to_m are distances along the wall. They may be up to half the thickness of the wall beyond its
+        // ends, because the wall reaches as far. A height_m of 0 means that the gap is as high as the wall.
         double from_m = 0.0, to_m = 0.0, height_m = 0.0;
         // Height of the higher of the two floors, relative to the floor of the level. `height_m` is measured from
         // `sill_m`.

@@ -56,6 +56,27 @@ TEST(OsmDoors, near_a_corner_do_not_join_the_room_behind_the_corner) {
     EXPECT_THAT(test::joins_of(drawing.scene(), StatedPortalKind::Door), UnorderedElementsAre("West | South"));
 }
 
+// The file draws the wall between two rooms once more as a wall of two pieces, which meet in the middle of the doorway.
+TEST(OsmDoors, stay_free_if_a_drawn_wall_has_a_corner_in_the_doorway) {
+    for (const double askew_m : {0.0, 1.2}) {
+        Drawing drawing;
+        const int south = drawing.node(6 + askew_m, 0), north = drawing.node(6 - askew_m, 4),
+                  door = drawing.node(6, 2, {{"door", "hinged"}, {"level", "0"}}), west = drawing.node(0, 0),
+                  east = drawing.node(12, 0);
+        drawing.way({west, south, door, north, drawing.node(0, 4), west},
+                    {{"indoor", "room"}, {"level", "0"}, {"name", "West"}});
+        drawing.way({east, drawing.node(12, 4), north, door, south, east},
+                    {{"indoor", "room"}, {"level", "0"}, {"name", "East"}});
+        drawing.way({south, door, north}, {{"indoor", "wall"}, {"level", "0"}, {"material", "glass"}});
+        const Scene scene = drawing.scene();
+        const StatedRoom *from = test::room_named(scene, "West"), *to = test::room_named(scene, "East");
+        ASSERT_TRUE(from && to);
+        const auto ways = navigation::Navigation::make(scene, navigation::walker_measures(scene, 0.25, 1.8, 0.25));
+        ASSERT_TRUE(ways) << ways.error().sentence();
+        EXPECT_TRUE((*ways)->plan(from->at_m, to->at_m).reaches) << askew_m;
+    }
+}
+
 std::vector<std::string> names_of_rooms(const Scene& scene) {
     std::vector<std::string> names;
     for (const StatedRoom& room : scene.stated->rooms) names.push_back(room.name);
