@@ -74,6 +74,7 @@ private:
     void add_ways(bool rooms_are_joined);
     bool is_within_rooms(const Walked& walked) const;
     std::vector<Walked> find_walked();
+    void add_landings(const std::vector<Walked>& walked, std::unordered_map<std::int64_t, double>& height_m) const;
     floorplan::PlanWay way_of(const Walked& walked, const std::unordered_map<std::int64_t, double>& height_m) const;
     void name_ways(const std::vector<Walked>& walked);
     void distinguish_ways(const std::vector<Walked>& walked);

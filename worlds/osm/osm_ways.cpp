@@ -175,6 +175,62 @@ void OsmPlan::add_levels(const std::vector<Walked>& walked, const std::unordered
     for (floorplan::PlanThing& thing : plan_.things) move_level(thing.level);
 }
 
+// Adds the heights of landings, which are nodes where only flights of steps meet. If a flight states two levels and its
+// other end is at one of them, the landing is at the other level. Otherwise the landing divides the rise between the
+// ends of its flights by their lengths.
+void OsmPlan::add_landings(const std::vector<Walked>& walked,
+                           std::unordered_map<std::int64_t, double>& height_m) const {
+    constexpr int kRounds = 200;  // enough for a dozen flights in a row
+    struct Flight {
+        std::int64_t other = 0;
+        double length_m = 0.0, low_m = 0.0, high_m = 0.0;
+    };
+    std::map<std::int64_t, std::vector<Flight>> flights_at;
+    for (const Walked& way : walked) {
+        if (!way.steps()) continue;
+        const Ring line = placed(way.lines)[0];
+        Flight flight;
+        for (std::size_t i = 1; i < line.size(); ++i) flight.length_m += glm::length(line[i] - line[i - 1]);
+        flight.length_m = std::max(flight.length_m, 0.1);
+        const std::vector<double> levels = way.levels();
+        flight.low_m = levels.front() * plan_.storey_m;
+        flight.high_m = levels.back() * plan_.storey_m;
+        const std::int64_t from = way.lines[0].front(), to = way.lines[0].back();
+        flight.other = to;
+        flights_at[from].push_back(flight);
+        flight.other = from;
+        flights_at[to].push_back(flight);
+    }
+    std::erase_if(flights_at, [&](const auto& at) { return at.second.size() < 2 || height_m.contains(at.first); });
+    for (auto at = flights_at.begin(); at != flights_at.end();) {
+        const auto known = std::find_if(at->second.begin(), at->second.end(), [&](const Flight& flight) {
+            const auto other = height_m.find(flight.other);
+            return flight.low_m < flight.high_m && other != height_m.end() &&
+                   (other->second == flight.low_m || other->second == flight.high_m);
+        });
+        if (known == at->second.end()) {
+            ++at;
+            continue;
+        }
+        height_m[at->first] = height_m.at(known->other) == known->low_m ? known->high_m : known->low_m;
+        at = flights_at.erase(at);
+    }
+    std::map<std::int64_t, double> landing_m;
+    for (int round = 0; round < kRounds && !flights_at.empty(); ++round)
+        for (const auto& [node, flights] : flights_at) {
+            double sum = 0.0, weights = 0.0;
+            for (const Flight& flight : flights) {
+                const auto known = height_m.find(flight.other);
+                const auto landing = landing_m.find(flight.other);
+                if (known == height_m.end() && landing == landing_m.end()) continue;
+                sum += (known != height_m.end() ? known->second : landing->second) / flight.length_m;
+                weights += 1.0 / flight.length_m;
+            }
+            if (weights > 0.0) landing_m[node] = sum / weights;
+        }
+    height_m.insert(landing_m.begin(), landing_m.end());
+}
+
 floorplan::PlanWay OsmPlan::way_of(const Walked& walked,
                                    const std::unordered_map<std::int64_t, double>& height_m) const {
     const OsmTags& tags = *walked.tags;
@@ -421,6 +477,7 @@ void OsmPlan::add_ways(bool rooms_are_joined) {
                 }
         }
     }
+    add_landings(walked, height_m);
     for (const Walked& way : walked) plan_.ways.push_back(way_of(way, height_m));
     name_ways(walked);
     add_levels(walked, height_m);

@@ -201,6 +201,28 @@ TEST(OsmWays, that_end_on_the_floor_of_another_are_joined_to_it) {
     }
 }
 
+// Two flights lead from a platform to the street in one line. The upper flight states no level, so the landing between
+// them is at the height that their lengths give.
+TEST(OsmWays, are_joined_by_two_flights_in_a_row_of_which_one_states_no_level) {
+    Drawing drawing;
+    const int foot = drawing.node(20, 0), landing = drawing.node(20, 12), top = drawing.node(20, 18);
+    drawing.way({drawing.node(0, 0), foot, drawing.node(40, 0)},
+                {{"railway", "platform"}, {"layer", "-2"}, {"name", "Track 4"}});
+    drawing.way({foot, landing}, {{"highway", "steps"}, {"layer", "-2"}});
+    drawing.way({landing, top}, {{"highway", "steps"}});
+    drawing.way({top, drawing.node(20, 40)}, {{"highway", "footway"}, {"name", "Street"}});
+    const Scene scene = drawing.scene();
+    const StatedRoom *low = test::room_named(scene, "Track 4"), *high = test::room_named(scene, "Street");
+    ASSERT_TRUE(low && high);
+    EXPECT_NEAR(low->floor_m, -6.0, 0.01);
+    EXPECT_NEAR(high->floor_m, 0.0, 0.01);
+    const auto ways = navigation::Navigation::make(scene, navigation::walker_measures(scene, 0.25, 1.8, 0.25));
+    ASSERT_TRUE(ways) << ways.error().sentence();
+    const navigation::Route route = (*ways)->plan(high->at_m, low->at_m);
+    EXPECT_TRUE(route.reaches) << route.short_of_m;
+    EXPECT_LT(route.length_m, 60.0);
+}
+
 TEST(OsmWays, without_connections_in_the_file_are_not_reported_as_closed) {
     Drawing drawing;
     drawing.box(0, 0, 40, 5, {{"railway", "platform"}, {"ref", "1"}, {"level", "-1"}});

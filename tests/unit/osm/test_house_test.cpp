@@ -5,6 +5,7 @@
 #include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
+#include "tests/support/scale.h"
 #include "tests/unit/osm/osm_text.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/osm/osm_levels.h"
@@ -208,6 +209,32 @@ TEST(OsmRealFiles, of_a_station_without_rooms_can_be_walked_along_footways) {
     EXPECT_GE(honest_report(*scene).largest_connected, 15);
     EXPECT_THAT(scene->report.left_out, Contains(HasSubstr("footways lack")));
     EXPECT_FALSE(scene->starts.empty());
+}
+
+// The university's file draws glass walls with a corner in each doorway. The upper flight to the station's platforms
+// states no level.
+TEST(OsmRealFiles, lead_to_rooms_behind_drawn_walls_and_to_platforms_below_two_flights) {
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "takes minutes under a sanitizer";
+    const std::pair<const char*, std::vector<std::string>> worlds[] = {
+        {"aachen-university.osm", {"U05", "005", "U01", "010", "113", "111", "211", "334", "U11"}},
+        {"delft-station.osm", {"Spoor 3", "Spoor 4"}}};
+    bool any = false;
+    for (const auto& [file, names] : worlds) {
+        const auto path = test::real_world(file);
+        if (!path) continue;
+        any = true;
+        const Result<Scene> scene = read_world(*path);
+        ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+        const auto ways = Navigation::make(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
+        ASSERT_TRUE(ways.has_value()) << ways.error().sentence();
+        for (const std::string& name : names) {
+            const StatedRoom* room = test::room_named(*scene, name);
+            ASSERT_NE(room, nullptr) << name;
+            const auto route = (*ways)->plan(scene->starts[0].feet_m, room->at_m);
+            EXPECT_TRUE(route.reaches) << file << ": " << name << ", short of it by " << route.short_of_m;
+        }
+    }
+    if (!any) GTEST_SKIP() << test::needs_real_world("aachen-university.osm");
 }
 
 }  // namespace test_house_test
