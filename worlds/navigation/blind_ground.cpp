@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "worlds/base/contract.h"
+#include "worlds/scene/models.h"
 #include "worlds/scene/scene.h"
 
 namespace handrail::navigation {
@@ -12,6 +14,9 @@ namespace {
 constexpr double kPartOfCell = 0.8;  // length of one stride on the grid, as a fraction of a cell
 // A walker can open a shut leaf from places up to this far before the point where the leaf stops them.
 constexpr double kDoorReach_m = 0.5;
+// Greatest difference in height between a walker's floor and the foot of a leaf that the walker opens. The doors of
+// other storeys, past which a landing of stairs leads, are farther away.
+constexpr double kDoorFoot_m = 0.5;
 constexpr double kLeast_m = 1e-4;  // least distance between a walker's centre and the border of its cell
 constexpr double kRiser_m = 0.03;
 // Half thickness of the middle of a shut leaf, as a fraction of a cell. It is thick enough that a step between two
@@ -23,11 +28,7 @@ constexpr double kLeafMiddle = 0.75;
 template <class Visit>
 void visit_leaf(const WalkSpace& space, const Aabb& own_m, const Placement& at, double reach_m, Visit visit) {
     const PlacedFrame frame(at);
-    Aabb stands;
-    for (int corner = 0; corner < 8; ++corner)
-        stands.include(
-            frame.to_world({(corner & 1) ? own_m.max_m.x : own_m.min_m.x, (corner & 2) ? own_m.max_m.y : own_m.min_m.y,
-                            (corner & 4) ? own_m.max_m.z : own_m.min_m.z}));
+    const Aabb stands = placed_bounds(own_m, at);
     const auto cell = [&](double world, double origin, std::uint32_t count) {
         return static_cast<std::uint32_t>(
             std::clamp(std::floor((world - origin) / space.cell_m), 0.0, static_cast<double>(count - 1)));
@@ -90,10 +91,18 @@ BlindGround::BlindGround(const WalkSpace& space, std::vector<DirectionsDoor> doo
     near_door_.assign(count, kNothing);
     const double radius_m = space_.body.radius_m;
     std::vector<std::uint32_t> wave;
+    std::vector<double> foot_m(doors_.size(), std::numeric_limits<double>::infinity());
+    const auto at_foot = [&](std::uint32_t s, std::uint32_t d) {
+        return std::abs(space_.place_m(s).z - foot_m[d]) <= kDoorFoot_m;
+    };
+    for (std::uint32_t d = 0; d < doors_.size(); ++d)
+        for (const DirectionsDoor::Leaf& leaf : doors_[d].leaves)
+            foot_m[d] = std::min(foot_m[d], placed_bounds(leaf.own_m, leaf.shut).min_m.z);
     for (std::uint32_t d = 0; d < doors_.size(); ++d)
         for (const DirectionsDoor::Leaf& leaf : doors_[d].leaves) {
             visit_leaf(space_, leaf.own_m, leaf.shut, radius_m, [&](std::uint32_t s) {
                 shut_leaf_[s] = static_cast<std::uint16_t>(d + 1);
+                if (!at_foot(s, d)) return;
                 if (near_door_[s] == kNothing) wave.push_back(s);
                 near_door_[s] = d;
             });
@@ -109,7 +118,7 @@ BlindGround::BlindGround(const WalkSpace& space, std::vector<DirectionsDoor> doo
         std::vector<std::uint32_t> next;
         for (const std::uint32_t s : wave)
             for (const std::uint32_t n : space_.spans[s].next)
-                if (n != kNothing && near_door_[n] == kNothing) {
+                if (n != kNothing && near_door_[n] == kNothing && at_foot(n, near_door_[s])) {
                     near_door_[n] = near_door_[s];
                     next.push_back(n);
                 }

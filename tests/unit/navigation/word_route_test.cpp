@@ -100,6 +100,27 @@ TEST(BlindGround, stops_a_body_where_the_walker_stops_and_slides_it_where_the_wa
     }
 }
 
+// A landing of stairs leads past the upper part of a door, with a wall between them. Nobody on the landing can reach
+// the door, although the body of a walker there is at the height of the leaf.
+TEST(BlindGround, lets_a_walker_reach_a_door_from_its_own_floor_only) {
+    SceneBuilder b = two_rooms(5.0);
+    b.box({0, 5.1, 0}, {10, 7, 1.5}, "landing", SolidRole::Solid, "stone", FeatureKind::Floor);
+    b.start({5, 6, 1.5}, 0.0);
+    Room room = room_of(b);
+    DirectionsDoor door;
+    door.leaves.push_back(
+        {{{-0.45, -0.02, 0.0}, {0.45, 0.02, 2.1}}, Placement{{5, 5, 0}, {}, 1.0}, Placement{{4, 4.95, 0}, {}, 1.0}});
+    const BlindGround ground(room.navigation->space(), {door});
+    const auto door_at = [&](const Vec3& feet_m) {
+        const BlindWalker body = ground.body_at(feet_m);
+        EXPECT_NEAR(ground.feet_m(body).z, feet_m.z, 0.05);
+        return ground.door_at(body.span);
+    };
+    EXPECT_EQ(door_at({5, 4.6, 0}), 0U);
+    EXPECT_EQ(door_at({5, 5.2, 1.5}), kNothing);
+    EXPECT_EQ(door_at({5, 5.6, 1.5}), kNothing);
+}
+
 TEST(BlindGround, slides_a_body_into_the_doorway_whose_frame_it_met_and_into_no_other_gap) {
     std::mt19937 random(test::seed_of_run());
     RecordProperty("seed", static_cast<int>(test::seed_of_run()));
