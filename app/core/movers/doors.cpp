@@ -5,6 +5,7 @@
 
 #include "app/core/context/context_words.h"
 #include "app/core/world/body_heights.h"
+#include "app/core/world/leaf_reach.h"
 #include "app/core/world/questions.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/human_measures.h"
@@ -211,18 +212,27 @@ int Doors::leaf_at_walker() const {
     return nearest;
 }
 
+// Returns the door that the announced directions name, if one of its leaves is within reach of the walker, or -1.
+int Doors::door_of_leg() const {
+    const FeatureId door = of_leg ? of_leg() : kNoFeature;
+    const int chosen = door ? mover_of(world_, door) : -1;
+    return chosen >= 0 && leaf_in_reach(world_, static_cast<std::uint32_t>(chosen), avatar_.feet_m()) ? chosen : -1;
+}
+
 // Operates one thing, which it chooses in this order:
 // 1. what the hand touches;
 // 2. the lift on which the walker stands;
-// 3. a shut door that was announced on an earlier route, if the walker or the hand is still close to it;
-// 4. what is straight ahead;
-// 5. an open leaf that the walker touches, because it is in the way;
-// 6. the nearest of all.
+// 3. the door that the announced directions tell the person to open or to shut, if the walker is close to it;
+// 4. a shut door that was announced on an earlier route, if the walker or the hand is still close to it;
+// 5. what is straight ahead;
+// 6. an open leaf that the walker touches, because it is in the way;
+// 7. the nearest of all.
 void Doors::use(double now_s) {
     int chosen = -1;
     if (context_.hands.answers() && context_.hands.tool.touches())
         chosen = mover_of(world_, context_.hands.tool.touched());
     if (chosen < 0) chosen = lift_under_walker();
+    if (chosen < 0) chosen = door_of_leg();
     if (chosen < 0 && !announced_.empty()) {
         const FeatureId announced = announced_.back();
         const Aabb door = box_of(*world_.scene, announced);

@@ -3,6 +3,7 @@
 // thread only.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -49,8 +50,12 @@ public:
         shut_by_person_ = kNoFeature;
     }
 
+    // Returns the door that the announced directions tell the person to open or to shut, or kNoFeature. May be empty.
+    std::function<FeatureId()> of_leg;
+
 private:
     int lift_under_walker() const;
+    int door_of_leg() const;
     int leaf_at_walker() const;
     void use(double now_s);
     std::string shut_words(std::uint32_t mover) const;

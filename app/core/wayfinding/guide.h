@@ -32,7 +32,9 @@ public:
           arrival_(context),
           ear_(context, rooms, plans_, ground_),
           hand_(context, rooms, plans_, doors),
-          seek_(context, rooms, plans_, doors) {}
+          seek_(context, rooms, plans_, doors) {
+        doors_.of_leg = [this] { return ear_.door_to_use(); };
+    }
 
     void enter_world();
     // Carries out the commands SetBeacon, MuteBeacon, TakeMe, Find, CrossLines, Routes, Storeys and FaceRoute, and

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "app/core/context/context_words.h"
@@ -100,6 +101,14 @@ std::string door_words(const SessionContext& context, const navigation::Directio
     return shut ? joined(name, phrase("questions.shut")) : name;
 }
 
+// Adds the open leaf that blocks the leg, if there is one. The person shuts it before anything else.
+void add_leaf(SpokenLeg& spoken, const SessionContext& context, std::span<const Vec3> path_m) {
+    const auto mover = leaf_across(context.world, context.avatar.walker->size(), path_m);
+    if (!mover) return;
+    spoken.uses = context.world.scene->movers[*mover].feature;
+    spoken.leaf = passage_name(context, navigation::PassageKind::Door, spoken.uses, 0.0);
+}
+
 }  // namespace
 
 std::string leg_words(const SpokenLeg& leg, const DistanceWords& how) {
@@ -148,17 +157,18 @@ SpokenLeg spoken_leg(const SessionContext& context, const DirectionsFloor& floor
         spoken.to = door_words(context, *door, shut);
         spoken.open = shut && context.world.scene->movers[door->mover].by_hand;
         spoken.by_itself = shut && !spoken.open;
+        if (shut) spoken.uses = door->feature;
     }
     if (at.leg.end == navigation::PaceEnd::Steps) {
         spoken.steps = std::max(1, static_cast<int>(std::lround(counted_left(floor, at))));
         const Walked walked = walk(floor, at, open, spoken.steps * floor.step_m);
-        spoken.leaf = leaf_ahead(context, walked.path_m);
+        add_leaf(spoken, context, walked.path_m);
         add_flight(spoken, floor, walked);
         spoken.clue = leg_clue(context, floor, at.from_m, at.leg.to_m, at.notch, at.leg.door);
         return spoken;
     }
     const Walked walked = walk(floor, at, open);
-    spoken.leaf = leaf_ahead(context, walked.path_m);
+    add_leaf(spoken, context, walked.path_m);
     if (at.leg.end == navigation::PaceEnd::Stairs) {
         spoken.up = at.leg.rise_m > 0.0;
         spoken.risers = walked.risers >= 2 ? walked.risers : 0;

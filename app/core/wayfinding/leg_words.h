@@ -20,9 +20,10 @@ struct SpokenLeg {
     bool up = false;    // true: the flight leads up
     int to_stairs = 0;  // steps to a flight of stairs that the leg crosses without ending there; 0: none
     bool open = false;  // true: there is a door that the person must open
-    bool by_itself = false;  // true: there is a door that opens automatically
-    std::string leaf = {};   // the door whose open leaf blocks the leg and must be shut; empty: none
-    std::string clue = {};   // a sentence with a clue that the leg is right; may be empty
+    bool by_itself = false;       // true: there is a door that opens automatically
+    std::string leaf = {};        // the door whose open leaf blocks the leg and must be shut; empty: none
+    FeatureId uses = kNoFeature;  // the door that must be opened or shut on this leg
+    std::string clue = {};        // a sentence with a clue that the leg is right; may be empty
 };
 std::string leg_words(const SpokenLeg& leg, const DistanceWords& how);
 

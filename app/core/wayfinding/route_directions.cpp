@@ -53,6 +53,7 @@ void RouteDirections::stop() {
     at_ = 0;
     room_ = navigation::kNothing;
     stopped_.reset();
+    uses_ = kNoFeature;
 }
 
 void RouteDirections::plan(bool in_parts) {
@@ -183,6 +184,7 @@ bool RouteDirections::holds() const {
 }
 
 std::string RouteDirections::directions() {
+    uses_ = kNoFeature;
     if (state_ != State::Known) return {};
     const LegAt leg = leg_at(at_);
     SpokenLeg spoken = spoken_leg(context_, *way_.floor, leg, open_now());
@@ -193,7 +195,19 @@ std::string RouteDirections::directions() {
         state_ = State::NoRoute;
         return {};
     }
+    uses_ = spoken.by_itself && spoken.leaf.empty() ? kNoFeature : spoken.uses;
+    shuts_ = !spoken.leaf.empty();
     return leg_words(spoken, distances(context_));
+}
+
+FeatureId RouteDirections::door_to_use() const {
+    // A person who faces another way may mean another door.
+    constexpr double kFaces_rad = 0.8;
+    const auto leg_rad = uses_ ? heading_rad() : std::nullopt;
+    if (!leg_rad || std::abs(wrap_angle(*leg_rad - context_.avatar.heading_rad)) > kFaces_rad) return kNoFeature;
+    const int mover = mover_of(context_.world, uses_);
+    if (mover < 0 || shut(context_.world, static_cast<std::uint32_t>(mover)) == shuts_) return kNoFeature;
+    return uses_;
 }
 
 void RouteDirections::note_stop(FeatureId by) {
@@ -224,6 +238,7 @@ bool RouteDirections::begin_with_door(SpokenLeg& leg) const {
                .to = joined(door, phrase("questions.shut")),
                .open = true};
     else leg.leaf = door;
+    leg.uses = stopped_->door;
     return true;
 }
 

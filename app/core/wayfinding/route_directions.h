@@ -57,6 +57,10 @@ public:
     // direction, that leg then begins with the door that stopped the walker. If the cause was not a door, the spoken
     // directions end.
     void note_stop(FeatureId by);
+    // Returns the door that the leg announced last tells the person to open or to shut. Returns kNoFeature if the leg
+    // names no such door, if the person has operated it since, or if the person does not face in the direction of the
+    // leg.
+    FeatureId door_to_use() const;
     // Returns the direction of the leg announced last, or no value if none was announced.
     std::optional<double> heading_rad() const;
 
@@ -100,6 +104,8 @@ private:
         int times = 1;                // consecutive stops by the same door
     };
     std::optional<Stop> stopped_;
+    FeatureId uses_ = kNoFeature;  // the door that the leg announced last tells the person to operate
+    bool shuts_ = false;           // true: the person must shut that door; false: open it
     BackgroundTask<Planned> planning_{context_.executor, "word-route", context_.arrivals};
 };
 

@@ -57,6 +57,8 @@ public:
     std::vector<std::string> rest_of_route();
     // Returns the direction of the announced leg, or no value if no route is followed.
     std::optional<double> leg_heading_rad() const;
+    // Returns the door that the announced leg tells the person to open or to shut, or kNoFeature.
+    FeatureId door_to_use() const { return directions_.door_to_use(); }
     // Call it when this feature has stopped the walker.
     void note_stop(FeatureId by);
     // Returns the next stairs on the route if the person stands before them and one command climbs all of them.

@@ -165,7 +165,8 @@ TEST(OpenDoors, that_are_shut_again_leave_the_routes_unchanged) {
 // Makes a corridor, 1.1 m wide by default. On its north side is a closet, whose door opens into the corridor, and
 // farther east an opening to a hall. In a narrow corridor, the leaf of the open door leaves no room to pass. If `open`
 // is true, the door is open from the start.
-std::shared_ptr<const Scene> corridor_with_closet(int wide_units = 36, bool open = false) {
+std::shared_ptr<const Scene> corridor_with_closet(int wide_units = 36, bool open = false,
+                                                  const std::string& further = {}) {
     const int south = 96 - wide_units;
     const std::string rooms = test::room_brushes(0, 0, 0, 320, 640, 128);
     const std::string walls =
@@ -183,7 +184,7 @@ std::shared_ptr<const Scene> corridor_with_closet(int wide_units = 36, bool open
         test::entity("info_player_start", test::key("origin", "48 78 24") + test::key("angle", "0"));
     auto scene = read_quake_map(
         test::entity("worldspawn", test::key("message", "Corridor") + test::key("building", "1"), rooms) + base +
-            walls + door,
+            walls + door + further,
         "corridor.map", {});
     EXPECT_TRUE(scene) << (scene ? "" : scene.error().sentence());
     scene->room_names = {RoomName{Vec3(1.5, 2.4, 0.0), "Corridor"}, RoomName{Vec3(8.0, 12.0, 0.0), "Hall"},
@@ -251,6 +252,44 @@ TEST(OpenDoors, that_stay_open_are_described_as_open) {
         EXPECT_TRUE(p.heard(reported)) << reported << ": " << p.news();
         EXPECT_EQ(shut(p.app.world(), 0), std::string(reported) == "Closet is shut");
     }
+}
+
+// The walker has drifted to the side of the closet's doorway, so that the wall is ahead. The door of a locker in the
+// south wall is nearer, but the directions name the closet.
+TEST(OpenDoors, are_those_that_the_directions_name_even_if_another_is_nearer) {
+    const std::string locker = test::entity(
+        "func_door", test::key("name", "Locker") + test::key("hinge", "west") + test::key("opens", "south"),
+        test::box_brush(170, 60, 0, 202, 62, 72));
+    test::AppSession p;
+    p.app.apply(WorldEntered{make_ready(corridor_with_closet(36, false, locker))}, 0.0);
+    p.run(0.1);
+    const auto place = [&](const Vec3& feet_m, double heading_rad) {
+        p.app.apply(Placed{feet_m, heading_rad}, p.now);
+        p.run(0.1);
+    };
+    const auto use = [&] {
+        p.said.clear();
+        p.tap(Command::Use, 4.0);
+    };
+    const Vec3 aside_m{5.6, 2.5, 0.0};
+    place(aside_m, 0.0);
+    for (const char* reported : {"Locker opens", "Locker is shut"}) {
+        use();
+        ASSERT_TRUE(p.heard(reported)) << "without directions, the nearest door moves: " << p.news();
+    }
+    place({5.0, 2.2, 0.0}, 0.0);
+    p.request(Command::Routes);
+    p.line("Pantry");
+    p.run(0.1);
+    const std::string leg = p.request(Command::RepeatLeg);
+    ASSERT_EQ(leg.rfind("Straight on.", 0), 0U) << leg;
+    ASSERT_NE(leg.find("Closet, shut. Open it."), std::string::npos) << leg;
+    place(aside_m, kPi);
+    use();
+    EXPECT_TRUE(p.heard("Locker opens")) << "the person has turned to the locker: " << p.news();
+    place(aside_m, 0.0);
+    use();
+    EXPECT_TRUE(p.heard("Closet opens")) << p.news();
 }
 
 // Two doors face each other across a corridor, and the areas of their swings overlap.
