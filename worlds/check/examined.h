@@ -10,6 +10,8 @@
 
 namespace handrail::check {
 
+inline constexpr double kUpperDoor_m = 1.0;  // a door at least this far above the base is on an upper storey
+
 // The number of a room's standing places that are under a roof, and the number in the open.
 struct Cover {
     std::size_t under_roof = 0, open = 0;

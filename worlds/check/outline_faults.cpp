@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "worlds/check/examined.h"
+#include "worlds/navigation/stated_rooms.h"
 #include "worlds/scene/honest_report.h"
 #include "worlds/scene/stated_building.h"
 
@@ -11,6 +12,7 @@ namespace {
 constexpr double kLeastOverlap_m2 = 0.5;
 constexpr double kSamples = 2000.0;  // approximate limit on the number of sample points for a room
 constexpr std::size_t kMostCorners = 2000;
+constexpr double kBeyondDoor_m = 0.8;  // distance from the middle of a doorway to where a person stands in front of it
 
 double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -93,8 +95,33 @@ void overlapping(const StatedBuilding& stated, std::vector<WorldFault>& faults) 
     }
 }
 
+// True for a door from a room of an upper storey to a balcony on which nobody can stand, because it is narrower than a
+// person or has no floor. Nobody is meant to walk through it.
+bool is_balcony_door(const Examined& world, const StatedPortal& portal) {
+    constexpr int kAround = 16;  // number of places around the doorway
+    constexpr double kInFront =
+        0.6;  // cosine of the largest angle between the way out and a place in front of the door
+    if (!world.space || world.scene.starts.empty() || portal.kind != StatedPortalKind::Door) return false;
+    if (portal.rooms.size() != 1 || portal.place_m.z < world.scene.starts.front().feet_m.z + kUpperDoor_m) return false;
+    const auto direction = [](int i) {
+        const double angle_rad = 2.0 * kPi * i / kAround;
+        return Vec3(std::cos(angle_rad), std::sin(angle_rad), 0.0);
+    };
+    Vec3 out(0.0);
+    for (int i = 0; i < kAround; ++i)
+        if (navigation::stated_room_at(world.scene, portal.place_m + kBeyondDoor_m * direction(i))) out -= direction(i);
+    if (glm::length(out) < 0.5) return false;
+    out = glm::normalize(out);
+    for (int i = 0; i < kAround; ++i)
+        if (glm::dot(direction(i), out) > kInFront &&
+            world.space->nearest(portal.place_m + kBeyondDoor_m * direction(i), 0.2, 0.5, 0.5) != navigation::kNothing)
+            return false;
+    return true;
+}
+
 // Adds the faults that only the report of the reader contains, because they come from statements of the file.
-void from_the_report(const Scene& scene, std::vector<WorldFault>& faults) {
+void from_the_report(const Examined& world, std::vector<WorldFault>& faults) {
+    const Scene& scene = world.scene;
     const StatedBuilding& stated = *scene.stated;
     for (const CheckPoint& point : honest_report(scene).check) {
         WorldFault fault{FaultKind::OddName, point.at_m, point.source};
@@ -104,6 +131,7 @@ void from_the_report(const Scene& scene, std::vector<WorldFault>& faults) {
             faults.push_back(std::move(fault));
             continue;
         }
+        if (point.what == ToCheck::ImpassableDoor && is_balcony_door(world, stated.portals[point.index])) continue;
         if (point.what == ToCheck::ImpassableDoor) fault.kind = FaultKind::ImpassableDoor;
         else if (point.what == ToCheck::DoorToNoRoom) fault.kind = FaultKind::DoorToNoRoom;
         else if (point.what == ToCheck::DoorCutFree) fault.kind = FaultKind::DoorCutFree;
@@ -127,7 +155,7 @@ void find_outline_faults(const Examined& world, std::vector<WorldFault>& faults)
     if (!world.scene.stated) return;
     crossing_outlines(*world.scene.stated, faults);
     overlapping(*world.scene.stated, faults);
-    from_the_report(world.scene, faults);
+    from_the_report(world, faults);
 }
 
 }  // namespace handrail::check

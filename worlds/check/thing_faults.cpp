@@ -13,7 +13,6 @@ constexpr double kSame_m = 0.005;   // two boxes are equal if their corners are 
 constexpr double kFar_m = 3.0;      // a thing farther than this from every standing place is out of reach
 constexpr double kHighest_m = 4.0;  // greatest height above a floor of a thing that hangs on a wall
 constexpr double kTouching_m = 0.1;
-constexpr double kUpperDoor_m = 1.0;  // a door at least this far above the base is on an upper storey
 
 WorldFault fault_of(const Examined& world, FeatureId id, FaultKind kind) {
     const Feature& feature = world.scene.features[id.value];

@@ -353,6 +353,48 @@ std::size_t cracks_beside(const char* what, double joint_m) {
         faults.begin(), faults.end(), [](const WorldFault& fault) { return fault.kind == FaultKind::Crack; }));
 }
 
+// Counts the impassable doors of a building whose upper storey has a room of 8 by 6 metres at a height of 3 metres. A
+// door that nobody can get through leads from it to a balcony of this depth.
+std::size_t impassable_balcony_doors(double depth_m) {
+    test::SceneBuilder b;
+    b.box({0, 0, -0.2}, {8, 6, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    b.box({0, 0, 2.8}, {8, 6, 3}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    b.box({0, 6, 2.8}, {8, 6 + depth_m, 3}, "balcony", SolidRole::Solid, {}, FeatureKind::Floor);
+    b.box({0, 5.9, 3}, {8, 6, 5.5}, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    b.box({0, 6 + depth_m, 3}, {8, 6.02 + depth_m, 4}, "railing", SolidRole::Solid, {}, FeatureKind::Object);
+    b.start({2, 1, 0}, 0.0);
+    b.start({2, 1, 3}, 0.0);
+    b.start({2, 6 + 0.5 * depth_m, 3}, 0.0);
+    StatedBuilding stated;
+    StatedRoom room;
+    room.name = "Bedroom";
+    room.rings = {{{0.0, 0.0}, {8.0, 0.0}, {8.0, 5.9}, {0.0, 5.9}}};
+    room.floor_m = 3.0;
+    room.height_m = 2.5;
+    room.at_m = {4.0, 3.0, 3.0};
+    stated.rooms.push_back(room);
+    StatedPortal portal;
+    portal.name = "Balcony door";
+    portal.rooms = {0};
+    portal.place_m = {4.0, 5.95, 3.0};
+    portal.width_m = 1.0;
+    portal.passable = false;
+    stated.portals.push_back(portal);
+    b.scene().stated = std::make_shared<const StatedBuilding>(stated);
+    const auto scene = b.share();
+    const auto ways = Navigation::make(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
+    EXPECT_TRUE(ways);
+    const RoomGraph graph = make_rooms(*scene, (*ways)->space());
+    const std::vector<WorldFault> faults = find_faults(*scene, &(*ways)->space(), &graph);
+    return static_cast<std::size_t>(std::count_if(
+        faults.begin(), faults.end(), [](const WorldFault& fault) { return fault.kind == FaultKind::ImpassableDoor; }));
+}
+
+TEST(NoFault, is_reported_for_a_door_to_a_balcony_on_which_nobody_can_stand) {
+    EXPECT_EQ(impassable_balcony_doors(0.25), 0U);
+    EXPECT_EQ(impassable_balcony_doors(1.5), 1U) << "people want to go there";
+}
+
 TEST(NoFault, is_reported_for_a_narrow_gap_next_to_a_beam) {
     EXPECT_EQ(cracks_beside("beam", 0.015), 0U);
     EXPECT_EQ(cracks_beside("beam", 0.03), 1U);
