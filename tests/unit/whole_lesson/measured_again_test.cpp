@@ -226,7 +226,7 @@ public:
         return tasks;
     }
     Range walked(double from_s, double to_s) const {
-        double way_m = 0.0, rest_m = 0.0;  // rest_m: at most this much is lost where the counting begins anew
+        double way_m = 0.0, rest_m = 0.0;  // rest_m: at most this much is lost where the counting begins again
         std::optional<Vec3> last_m;
         Vec3 before_m{0.0};
         for (const FrameRow& frame : frames(from_s, to_s)) {
