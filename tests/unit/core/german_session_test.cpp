@@ -50,7 +50,7 @@ TEST(GermanSession, of_questions_touch_and_walking_is_in_whole_german_sentences_
               "Links: Garderobenständer, 1 Schritt.");
     EXPECT_EQ(s.request(Command::AheadOfMe),
               "Wohnzimmertür, 3 Schritte, halb links. Standuhr, 4 Schritte, leicht rechts. "
-              "Tickende Uhr, 4 Schritte, leicht rechts. Handlauf, 5 Schritte vorn.");
+              "Handlauf, 5 Schritte vorn. Treppe, 6 Schritte vorn.");
     EXPECT_EQ(s.request(Command::Heading), "Blick nach Norden, 0 Grad");
     s.touch("north wall");
     s.run(0.1);
