@@ -120,6 +120,12 @@ TEST_F(SilentMachineNever, speaks_through_the_speech_server_if_one_runs_and_mute
     ASSERT_TRUE(eventually([&] {
         return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1");
     }));
+    // On a busy machine the welcome is over before the window has the keyboard. Space repeats it.
+    const auto speaking = [&] { return speech->recorded().back().event == "speak"; };
+    if (!speaking()) {
+        ASSERT_TRUE(display->xdotool("key space"));
+        ASSERT_TRUE(eventually(speaking)) << speech->everything();
+    }
     const double pressed_s = now_s();
     ASSERT_TRUE(display->xdotool("key Control_L"));
     std::optional<double> stopped_s;
