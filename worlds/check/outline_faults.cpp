@@ -99,8 +99,8 @@ void overlapping(const StatedBuilding& stated, std::vector<WorldFault>& faults) 
 // person or has no floor. Nobody is meant to walk through it.
 bool is_balcony_door(const Examined& world, const StatedPortal& portal) {
     constexpr int kAround = 16;  // number of places around the doorway
-    constexpr double kInFront =
-        0.6;  // cosine of the largest angle between the way out and a place in front of the door
+    // Cosine of the largest angle between the way out and a place in front of the door.
+    constexpr double kInFront = 0.6;
     if (!world.space || world.scene.starts.empty() || portal.kind != StatedPortalKind::Door) return false;
     if (portal.rooms.size() != 1 || portal.place_m.z < world.scene.starts.front().feet_m.z + kUpperDoor_m) return false;
     const auto direction = [](int i) {

@@ -73,10 +73,13 @@ std::optional<std::uint32_t> leaf_across(const WorldState& world, const WalkerSi
     return std::nullopt;
 }
 
-std::string leaf_ahead(const SessionContext& context, std::span<const Vec3> path_m) {
+FeatureId leaf_ahead(const SessionContext& context, std::span<const Vec3> path_m) {
     const auto mover = leaf_across(context.world, context.avatar.walker->size(), path_m);
-    if (!mover) return {};
-    return passage_name(context, navigation::PassageKind::Door, context.world.scene->movers[*mover].feature, 0.0);
+    return mover ? context.world.scene->movers[*mover].feature : kNoFeature;
+}
+
+std::string leaf_name(const SessionContext& context, FeatureId door) {
+    return door ? passage_name(context, navigation::PassageKind::Door, door, 0.0) : std::string();
 }
 
 }  // namespace handrail::core

@@ -18,7 +18,9 @@ namespace handrail::core {
 // path is at floor level. Returns no value if there is no such leaf or a person does not shut that door by hand. Also
 // returns no value if the path leads through that door and reaches the doorway before the face of the leaf.
 std::optional<std::uint32_t> leaf_across(const WorldState& world, const WalkerSize& size, std::span<const Vec3> path_m);
-// Returns the name of the door that leaf_across() finds for the walker, or an empty text.
-std::string leaf_ahead(const SessionContext& context, std::span<const Vec3> path_m);
+// Returns the door that leaf_across() finds for the walker, or kNoFeature.
+FeatureId leaf_ahead(const SessionContext& context, std::span<const Vec3> path_m);
+// Returns the name of such a door for directions; empty for kNoFeature.
+std::string leaf_name(const SessionContext& context, FeatureId door);
 
 }  // namespace handrail::core

@@ -103,10 +103,10 @@ std::string door_words(const SessionContext& context, const navigation::Directio
 
 // Adds the open leaf that blocks the leg, if there is one. The person shuts it before anything else.
 void add_leaf(SpokenLeg& spoken, const SessionContext& context, std::span<const Vec3> path_m) {
-    const auto mover = leaf_across(context.world, context.avatar.walker->size(), path_m);
-    if (!mover) return;
-    spoken.uses = context.world.scene->movers[*mover].feature;
-    spoken.leaf = passage_name(context, navigation::PassageKind::Door, spoken.uses, 0.0);
+    const FeatureId door = leaf_ahead(context, path_m);
+    if (!door) return;
+    spoken.uses = door;
+    spoken.leaf = leaf_name(context, door);
 }
 
 }  // namespace

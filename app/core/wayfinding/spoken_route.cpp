@@ -200,7 +200,7 @@ std::string SpokenRoute::leaf_on_route(const Vec3& to_m) const {
     constexpr double kHere_m = 0.25, kThatWay_rad = 0.8;
     constexpr int kMostTimes = 4;
     const Vec3& feet_m = context_.avatar.feet_m();
-    std::string leaf = leaf_ahead(context_, std::array{feet_m, to_m});
+    std::string leaf = leaf_name(context_, leaf_ahead(context_, std::array{feet_m, to_m}));
     if (!leaf.empty() || !stopped_ || stopped_->times > kMostTimes || glm::length(stopped_->at_m - feet_m) > kHere_m ||
         std::abs(wrap_angle(std::atan2(to_m.x - feet_m.x, to_m.y - feet_m.y) - stopped_->heading_rad)) > kThatWay_rad)
         return leaf;
@@ -209,7 +209,7 @@ std::string SpokenRoute::leaf_on_route(const Vec3& to_m) const {
     const bool open = mover >= 0 && met && met->kind == FeatureKind::Door &&
                       context_.world.scene->movers[static_cast<std::size_t>(mover)].by_hand &&
                       !shut(context_.world, static_cast<std::uint32_t>(mover));
-    return open ? passage_name(context_, navigation::PassageKind::Door, stopped_->by, 0.0) : std::string();
+    return leaf_name(context_, open ? stopped_->by : kNoFeature);
 }
 
 // Returns true if the person stands near enough to these stairs to climb them with a key.

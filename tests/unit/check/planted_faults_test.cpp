@@ -304,6 +304,17 @@ TEST_P(CopyOfTheSchool, gets_a_report_of_its_planted_fault_with_place_and_advice
     EXPECT_LE(found.faults.size(), planted.state ? 60U : 6U) << listed(found);
 }
 
+// Counts the faults of kind `kind` in the scene.
+std::size_t count_in(test::SceneBuilder& b, FaultKind kind) {
+    const auto scene = b.share();
+    const auto ways = Navigation::make(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
+    EXPECT_TRUE(ways);
+    const RoomGraph graph = make_rooms(*scene, (*ways)->space());
+    const std::vector<WorldFault> faults = find_faults(*scene, &(*ways)->space(), &graph);
+    return static_cast<std::size_t>(
+        std::count_if(faults.begin(), faults.end(), [&](const WorldFault& fault) { return fault.kind == kind; }));
+}
+
 // Counts the faults of kind `kind` in a small room. The room's wall begins `joint_m` above the floor. One start is in
 // the air in the upper storey. If `before_door` is true, that start belongs to a door.
 std::size_t count_of(FaultKind kind, double joint_m, bool before_door) {
@@ -319,13 +330,7 @@ std::size_t count_of(FaultKind kind, double joint_m, bool before_door) {
     portal.source.line = before_door ? 7 : 8;
     stated.portals.push_back(portal);
     b.scene().stated = std::make_shared<const StatedBuilding>(stated);
-    const auto scene = b.share();
-    const auto ways = Navigation::make(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
-    EXPECT_TRUE(ways);
-    const RoomGraph graph = make_rooms(*scene, (*ways)->space());
-    const std::vector<WorldFault> faults = find_faults(*scene, &(*ways)->space(), &graph);
-    return static_cast<std::size_t>(
-        std::count_if(faults.begin(), faults.end(), [&](const WorldFault& fault) { return fault.kind == kind; }));
+    return count_in(b, kind);
 }
 
 TEST(NoFault, is_reported_for_a_start_at_a_balcony_door_or_a_narrow_gap_under_a_beam) {
@@ -344,13 +349,7 @@ std::size_t cracks_beside(const char* what, double joint_m) {
     b.box({4 + joint_m, 2.8, 2.2}, {8, 3.2, 2.5}, what);
     for (Feature& feature : b.scene().features) feature.made_name = true;
     b.start({2, 1, 0}, 0.0);
-    const auto scene = b.share();
-    const auto ways = Navigation::make(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
-    EXPECT_TRUE(ways);
-    const RoomGraph graph = make_rooms(*scene, (*ways)->space());
-    const std::vector<WorldFault> faults = find_faults(*scene, &(*ways)->space(), &graph);
-    return static_cast<std::size_t>(std::count_if(
-        faults.begin(), faults.end(), [](const WorldFault& fault) { return fault.kind == FaultKind::Crack; }));
+    return count_in(b, FaultKind::Crack);
 }
 
 // Counts the impassable doors of a building whose upper storey has a room of 8 by 6 metres at a height of 3 metres. A
@@ -381,13 +380,7 @@ std::size_t impassable_balcony_doors(double depth_m) {
     portal.passable = false;
     stated.portals.push_back(portal);
     b.scene().stated = std::make_shared<const StatedBuilding>(stated);
-    const auto scene = b.share();
-    const auto ways = Navigation::make(*scene, walker_measures(*scene, 0.25, 1.8, 0.25));
-    EXPECT_TRUE(ways);
-    const RoomGraph graph = make_rooms(*scene, (*ways)->space());
-    const std::vector<WorldFault> faults = find_faults(*scene, &(*ways)->space(), &graph);
-    return static_cast<std::size_t>(std::count_if(
-        faults.begin(), faults.end(), [](const WorldFault& fault) { return fault.kind == FaultKind::ImpassableDoor; }));
+    return count_in(b, FaultKind::ImpassableDoor);
 }
 
 TEST(NoFault, is_reported_for_a_door_to_a_balcony_on_which_nobody_can_stand) {

@@ -19,7 +19,7 @@ namespace openal_sink_test {
 
 constexpr int kPeriod = 256;
 constexpr double kPeriod_s = static_cast<double>(kPeriod) / kSampleRate_hz;
-// The least level of a sound that is certainly heard. OpenAL Soft 1.24 is up to 4 dB quieter than 1.19.
+// Any sound above this level is audible. OpenAL Soft 1.24 renders sounds up to 4 dB quieter than 1.19.
 constexpr double kHeard = 0.0015;
 
 // The driver must be set before the first use of OpenAL, which reads its configuration once per process. The null back
