@@ -24,6 +24,8 @@ enum class SpeechThrough { Auto, ScreenReader, SpeechDispatcher, Embedded, Text 
 enum class HoldingHand { Right, Left };
 // The hand that is on the keyboard; the other hand holds the grip of the device.
 enum class KeyboardHand { Both, Left, Right };
+// The colours of the window. High contrast uses black, white and yellow only. Colour-safe replaces red and green.
+enum class ColourSet { Dark, Light, HighContrast, ColourSafe };
 // How directions are announced: "30 degrees left", "at 11 o'clock", "north".
 enum class DirectionChoice { Sides, Clock, Compass };
 
@@ -171,6 +173,18 @@ struct Settings {
     struct Keyboard {
         KeyboardHand hand = KeyboardHand::Both;
     } keyboard;
+    // The picture in the window.
+    struct Display {
+        double text_size = 1.0;  // 1: a line of the newest message is a twelfth of the window's height; 0.5 to 1.5
+        ColourSet colours = ColourSet::Dark;
+        double outline_width = 1.0;   // width of outlines and lines as a multiple of the usual width, 0.5 to 3
+        bool reduced_motion = false;  // the picture changes at most twice a second
+        bool full_screen = false;
+        // Where the window was when it was closed, as "1280x720+100+50"; "screen": as large as the screen.
+        std::string place = "screen";
+
+        bool operator==(const Display&) const = default;
+    } display;
     struct Welcome {
         bool done = false;  // the introduction, which runs at the first start, is finished
         int step = 0;       // the step at which the introduction continues after a restart, 0 to 20

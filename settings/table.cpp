@@ -14,6 +14,7 @@ constexpr std::array<std::string_view, 3> kCeilingWords{"light", "normal", "full
 constexpr std::array<std::string_view, 2> kFrameWords{"map", "walk"};
 constexpr std::array<std::string_view, 2> kHandWords{"right", "left"};
 constexpr std::array<std::string_view, 3> kKeyboardWords{"both", "left", "right"};
+constexpr std::array<std::string_view, 4> kColourWords{"dark", "light", "high-contrast", "colour-safe"};
 constexpr std::array<std::string_view, 3> kDirectionWords{"sides", "clock", "compass"};
 constexpr std::array<std::string_view, 5> kThroughWords{"auto", "screen-reader", "speech-dispatcher", "embedded",
                                                         "text"};
@@ -140,6 +141,14 @@ const std::array kTable{
     SettingInfo{"keyboard.hand", "", kPersonOnly,
                 ChoiceField{kKeyboardWords, [](const Settings& s) { return static_cast<std::size_t>(s.keyboard.hand); },
                             [](Settings& s, std::size_t i) { s.keyboard.hand = static_cast<KeyboardHand>(i); }}},
+    SettingInfo{"display.text_size", "", kPersonOnly, NumberField{HANDRAIL_AT(display.text_size), 0.5, 1.5}},
+    SettingInfo{"display.colours", "", kPersonOnly,
+                ChoiceField{kColourWords, [](const Settings& s) { return static_cast<std::size_t>(s.display.colours); },
+                            [](Settings& s, std::size_t i) { s.display.colours = static_cast<ColourSet>(i); }}},
+    SettingInfo{"display.outline_width", "", kPersonOnly, NumberField{HANDRAIL_AT(display.outline_width), 0.5, 3.0}},
+    SettingInfo{"display.reduced_motion", "", kPersonOnly, SwitchField{HANDRAIL_AT(display.reduced_motion)}},
+    SettingInfo{"display.full_screen", "", kPersonOnly, SwitchField{HANDRAIL_AT(display.full_screen)}},
+    SettingInfo{"display.place", "", kPersonOnly, TextField{HANDRAIL_AT(display.place)}},
     SettingInfo{"welcome.done", "", kPersonOnly, SwitchField{HANDRAIL_AT(welcome.done)}},
     SettingInfo{"welcome.step", "", kPersonOnly, WholeField{HANDRAIL_AT(welcome.step), 0, 20}},
 };

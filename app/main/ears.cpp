@@ -66,7 +66,10 @@ void Ears::follow_hands(bool two, bool stands_in) {
 }
 
 void Ears::note_spoken() {
-    for (cues::SpokenLine& line : sound_->take_spoken()) last_spoken_ = std::move(line.text);
+    for (cues::SpokenLine& line : sound_->take_spoken()) {
+        if (messages_.size() == core::kShownMessages) messages_.erase(messages_.begin());
+        messages_.push_back(std::move(line.text));
+    }
 }
 
 }  // namespace handrail::program

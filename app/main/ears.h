@@ -37,9 +37,9 @@ public:
     // display.
     void show(const core::Session& app);
     void follow_hands(bool two, bool stands_in);
-    // Stores which sentence was spoken last; last_spoken() returns it.
+    // Stores the sentences that were spoken last; messages() returns them, the oldest first.
     void note_spoken();
-    const std::string& last_spoken() const { return last_spoken_; }
+    const std::vector<std::string>& messages() const { return messages_; }
 
 private:
     Clock& clock_;
@@ -51,7 +51,7 @@ private:
     cues::AudioThread::ContactRing contacts_;
     std::unique_ptr<cues::AudioThread> sound_;
     bool two_hands_ = false, hand_stands_in_ = false;
-    std::string last_spoken_;
+    std::vector<std::string> messages_;  // at most core::kShownMessages
 };
 
 }  // namespace handrail::program

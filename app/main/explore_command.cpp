@@ -131,7 +131,8 @@ private:
     void open_window() {
         speak_to_typist(true);
         if (arguments_.no_window) return;
-        auto opened = window::Window::open();
+        auto opened = window::Window::open({.place = window::window_place(settings_.values().display.place),
+                                            .full_screen = settings_.values().display.full_screen});
         if (!opened) {
             ears_.close_accessible();
             // If there is no display, do not announce that no window opened, because the person expects none.
@@ -212,7 +213,7 @@ private:
             device_facts_.answer(app_, now_s);
             ears_.note_spoken();
             hold_more_sound();
-            if (window_) window_->draw(app_.view(hand_.tool(), ears_.last_spoken()));
+            draw_view();
             next_s = end_frame(next_s, now_s);
         }
         return 0;
@@ -259,7 +260,15 @@ private:
         ears_.note_spoken();
         if (!window_) return;
         core::ViewState view;
-        view.last_spoken = ears_.last_spoken();
+        view.display = app_.settings().display;
+        view.texts.messages = ears_.messages();
+        window_->draw(view);
+    }
+
+    void draw_view() {
+        if (!window_) return;
+        core::ViewState view = app_.view(hand_.tool());
+        view.texts.messages = ears_.messages();
         window_->draw(view);
     }
 
@@ -326,6 +335,9 @@ private:
         left_.stop();
         hand_.let_go();
         lesson_.end(clock_.now_s());
+        if (window_)
+            if (const std::string place = window_->place(); !place.empty())
+                app_.apply(core::SettingSet{"display.place", place}, clock_.now_s());
         if (!arguments_.calibrate) app_.keep_learnt(servo::in_whole_microseconds(clock_.now_s()));
         hand_over();
         kept_.save_at_the_end(err);

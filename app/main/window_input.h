@@ -26,6 +26,8 @@ public:
     // Returns true if the person left before the first world was entered, or closed the window.
     bool closed() const { return closed_ || acts_.closed(); }
     void draw(const core::ViewState& view) { window_->draw(view); }
+    // Returns the place of the window as the setting display.place has it; empty if it fills the screen.
+    std::string place() const { return window_->place(); }
 
 private:
     core::Session& app_;

@@ -2,98 +2,135 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "app/window/drawn_colour.h"
+#include "app/window/force_arrow.h"
 #include "app/window/large_text.h"
 #include "worlds/base/language.h"
 
 namespace handrail::window {
 namespace {
 
-constexpr ImU32 kWallColour = IM_COL32(200, 200, 200, 255);
+// The outlines of rooms are a walker's radius inside the walls; the ground of rooms continues this far beyond them.
+constexpr double kBeyondOutline_m = 0.35;
 
 ImVec2 im(const Vec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
-// Returns the rooms on the storey as indices into ViewState::rooms. The smallest comes first, except that the current
-// room is the last.
-std::vector<std::size_t> rooms_of_storey(const core::ViewState& view) {
-    std::vector<std::size_t> rooms;
-    if (!view.rooms) return rooms;
-    for (std::size_t r = 0; r < view.rooms->size(); ++r)
-        if (const core::DrawnRoom& room = (*view.rooms)[r];
-            r == view.room || (room.outline.lowest_m < view.feet_m.z + plan::kPlanCutAboveFeet_m &&
-                               room.outline.highest_m > view.feet_m.z - plan::kPlanDeep_m))
-            rooms.push_back(r);
+struct LabelBox {
+    ImVec2 from, to;
+
+    bool meets(const LabelBox& other) const {
+        return from.x < other.to.x && other.from.x < to.x && from.y < other.to.y && other.from.y < to.y;
+    }
+};
+
+LabelBox box_around(const ImVec2& middle, float half_px) {
+    return {{middle.x - half_px, middle.y - half_px}, {middle.x + half_px, middle.y + half_px}};
+}
+
+// A name on the plan. Names are placed in the order of the list, so the first ones get the best places.
+struct Label {
+    std::string text;
+    ImVec2 at;
+    bool inverted = false;
+    bool always = false;  // true: it is shown in small letters even if it then covers another name
+};
+
+// Places labels so that none covers another label, the walker, the hand, the scale bar or the needle. A label moves or
+// becomes smaller if necessary. If that does not suffice, it is left out.
+class Labels {
+public:
+    Labels(ImDrawList& list, ImFont& font, const Palette& palette, float unit_px)
+        : list_(list), font_(font), palette_(palette), unit_px_(unit_px) {}
+
+    void keep_free(const LabelBox& box) { taken_.push_back(box); }
+
+    void put(const Label& label, const PixelBox& inside) {
+        for (const float size : {5.0F, 4.0F, 3.0F})
+            for (const float moved : {0.0F, 1.0F, -1.0F})
+                if (lay(label, size * unit_px_, moved, inside) && is_free()) return draw(label);
+        if (!label.always) return;
+        lay(label, 3.0F * unit_px_, 2.0F, inside);
+        draw(label);
+    }
+
+private:
+    // Returns false if the label would be cut off by the border of the plan.
+    bool lay(const Label& label, float text_px, float moved, const PixelBox& inside) {
+        text_px_ = text_px;
+        lines_ = wrapped_lines(font_, text_px, label.text, 6.0F * text_px);
+        float wide = 0.0F;
+        for (const std::string_view line : lines_)
+            wide = std::max(wide, font_.CalcTextSizeA(text_px, 1e9F, 0.0F, line.data(), line.data() + line.size()).x);
+        const float edge = 0.5F * unit_px_, high = text_px * static_cast<float>(lines_.size());
+        box_ = {{label.at.x - 0.5F * wide - edge, label.at.y + (moved - 0.5F) * high - edge},
+                {label.at.x + 0.5F * wide + edge, label.at.y + (moved + 0.5F) * high + edge}};
+        return box_.from.x >= static_cast<float>(inside.min_px.x) && box_.to.x <= static_cast<float>(inside.max_px.x) &&
+               box_.from.y >= static_cast<float>(inside.min_px.y) && box_.to.y <= static_cast<float>(inside.max_px.y);
+    }
+
+    bool is_free() const {
+        return std::none_of(taken_.begin(), taken_.end(), [&](const LabelBox& other) { return box_.meets(other); });
+    }
+
+    void draw(const Label& label) {
+        taken_.push_back(box_);
+        const ImU32 text = colour_of(palette_.text), ground = colour_of(palette_.ground);
+        list_.AddRectFilled(box_.from, box_.to, label.inverted ? text : ground);
+        for (std::size_t i = 0; i < lines_.size(); ++i)
+            list_.AddText(
+                &font_, text_px_,
+                {box_.from.x + 0.5F * unit_px_, box_.from.y + 0.5F * unit_px_ + static_cast<float>(i) * text_px_},
+                label.inverted ? ground : text, lines_[i].data(), lines_[i].data() + lines_[i].size());
+    }
+
+    ImDrawList& list_;
+    ImFont& font_;
+    const Palette& palette_;
+    float unit_px_;
+    std::vector<LabelBox> taken_;
+    LabelBox box_;
+    float text_px_ = 0.0F;
+    std::vector<std::string_view> lines_;
+};
+
+// Returns the names in the order of their importance: the present room, the beacon, the marks, then rooms by size.
+std::vector<Label> labels_of(const core::ViewState& view, const PlanLayout& layout) {
+    std::vector<Label> labels;
+    std::vector<std::size_t> rooms = rooms_of_storey(view);
     std::stable_sort(rooms.begin(), rooms.end(), [&](std::size_t a, std::size_t b) {
-        return std::pair(a == view.room, (*view.rooms)[a].area_m2) <
+        return std::pair(a == view.room, (*view.rooms)[a].area_m2) >
                std::pair(b == view.room, (*view.rooms)[b].area_m2);
     });
-    return rooms;
+    const auto add_room = [&](std::size_t r) {
+        const bool here = r == view.room;
+        labels.push_back({(*view.rooms)[r].name, im(layout.to_pixels((*view.rooms)[r].middle_m)), here, here});
+    };
+    const bool here = !rooms.empty() && rooms.front() == view.room;
+    if (here) add_room(rooms.front());
+    if (view.guidance.beacon)
+        labels.push_back({view.guidance.beacon->name, im(layout.to_pixels(view.guidance.beacon->place_m))});
+    for (const core::DrawnPlace& mark : view.guidance.marks)
+        labels.push_back({mark.name, im(layout.to_pixels(mark.place_m))});
+    for (std::size_t i = here ? 1 : 0; i < rooms.size(); ++i) add_room(rooms[i]);
+    return labels;
 }
 
-// Draws the name of each room white on black in the middle of the room. The name of the current room is inverted. If
-// names would cover each other or the walker, a name moves up or down or becomes smaller. If that does not suffice, the
-// name is left out, except that of the current room. Names of larger rooms are placed first.
-void draw_room_names(ImDrawList& list, ImFont& font, const PlanLayout& layout, const core::ViewState& view,
-                     float unit_px) {
-    const std::vector<std::size_t> rooms = rooms_of_storey(view);
-    const Vec2 feet = layout.to_pixels(view.feet_m);
-    const float walker_px = 5.0F * unit_px;
-    std::vector<std::pair<ImVec2, ImVec2>> taken{
-        {{static_cast<float>(feet.x) - walker_px, static_cast<float>(feet.y) - walker_px},
-         {static_cast<float>(feet.x) + walker_px, static_cast<float>(feet.y) + walker_px}}};
-    for (auto at = rooms.rbegin(); at != rooms.rend(); ++at) {
-        const core::DrawnRoom& room = (*view.rooms)[*at];
-        const bool here = *at == view.room;
-        const ImVec2 middle = im(layout.to_pixels(room.middle_m));
-        const auto place = [&](float text_px, float moved, std::vector<std::string_view>& lines, ImVec2& from,
-                               ImVec2& to) {
-            lines = wrapped_lines(font, text_px, room.name, 6.0F * text_px);
-            float wide = 0.0F;
-            for (const std::string_view line : lines)
-                wide =
-                    std::max(wide, font.CalcTextSizeA(text_px, 1e9F, 0.0F, line.data(), line.data() + line.size()).x);
-            const float edge = 0.5F * unit_px, high = text_px * static_cast<float>(lines.size());
-            from = {middle.x - 0.5F * wide - edge, middle.y + (moved - 0.5F) * high - edge};
-            to = {middle.x + 0.5F * wide + edge, middle.y + (moved + 0.5F) * high + edge};
-            return std::none_of(taken.begin(), taken.end(), [&](const auto& other) {
-                return from.x < other.second.x && other.first.x < to.x && from.y < other.second.y &&
-                       other.first.y < to.y;
-            });
-        };
-        std::vector<std::string_view> lines;
-        ImVec2 from, to;
-        float text_px = 0.0F;
-        bool free = false;
-        for (const float size : {5.0F, 4.0F, 3.0F}) {
-            text_px = size * unit_px;
-            for (const float moved : {0.0F, 1.0F, -1.0F, 2.0F, -2.0F})
-                if ((free = place(text_px, moved, lines, from, to))) break;
-            if (free) break;
-        }
-        if (!free && here) place(text_px = 5.0F * unit_px, 1.5F, lines, from, to);
-        else if (!free) continue;
-        taken.emplace_back(from, to);
-        const ImU32 white = IM_COL32(255, 255, 255, 255), black = IM_COL32(0, 0, 0, 255);
-        list.AddRectFilled(from, to, here ? white : black);
-        for (std::size_t i = 0; i < lines.size(); ++i)
-            list.AddText(&font, text_px,
-                         {from.x + 0.5F * unit_px, from.y + 0.5F * unit_px + static_cast<float>(i) * text_px},
-                         here ? black : white, lines[i].data(), lines[i].data() + lines[i].size());
-    }
-}
-
-void draw_hand(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view, float unit_px) {
-    if (!view.show_hand) return;
+void draw_hand(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view, const Palette& palette,
+               float unit_px) {
     const ImVec2 at = im(layout.to_pixels(view.proxy_m));
     const float radius_px = 1.2F * unit_px;
-    if (view.touching) list.AddCircleFilled(at, 2.0F * radius_px, IM_COL32(255, 255, 255, 255));
-    list.AddCircleFilled(at, 1.3F * radius_px, IM_COL32(0, 0, 0, 255));
-    list.AddCircleFilled(at, radius_px, view.touching ? IM_COL32(255, 13, 13, 255) : IM_COL32(13, 255, 51, 255));
+    if (view.touching) list.AddCircleFilled(at, 2.0F * radius_px, colour_of(palette.text));
+    list.AddCircleFilled(at, 1.3F * radius_px, colour_of(palette.ground));
+    list.AddCircleFilled(at, radius_px, colour_of(view.touching ? palette.touching : palette.hand));
+    const Vec2 to = layout.to_pixels(view.proxy_m + view.force_n) - layout.to_pixels(view.proxy_m);
+    if (const double length = glm::length(to); length > 1e-9)
+        draw_force(list, at, im(to / length), glm::length(Vec2(view.force_n.x, view.force_n.y)), unit_px, palette);
 }
 
 // Draws the walker as an arrow that points where the walker faces.
-void draw_walker(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view, float unit_px) {
+void draw_walker(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view, const Palette& palette,
+                 float unit_px) {
     const ImVec2 at = im(layout.to_pixels(view.feet_m));
     const double turn = view.heading_rad - layout.turn_rad;
     const auto corner = [&](double forward, double right, float scale) {
@@ -101,41 +138,91 @@ void draw_walker(ImDrawList& list, const PlanLayout& layout, const core::ViewSta
                       at.y + scale * static_cast<float>(-forward * std::cos(turn) + right * std::sin(turn)));
     };
     for (const auto& [scale, colour] :
-         {std::pair(6.6F * unit_px, IM_COL32(0, 0, 0, 255)), std::pair(4.8F * unit_px, IM_COL32(255, 255, 0, 255))}) {
-        list.AddTriangleFilled(corner(1.0, 0.0, scale), corner(-0.6, 0.6, scale), corner(-0.3, 0.0, scale), colour);
-        list.AddTriangleFilled(corner(1.0, 0.0, scale), corner(-0.3, 0.0, scale), corner(-0.6, -0.6, scale), colour);
+         {std::pair(6.6F * unit_px, palette.ground), std::pair(4.8F * unit_px, palette.walker)}) {
+        list.AddTriangleFilled(corner(1.0, 0.0, scale), corner(-0.6, 0.6, scale), corner(-0.3, 0.0, scale),
+                               colour_of(colour));
+        list.AddTriangleFilled(corner(1.0, 0.0, scale), corner(-0.3, 0.0, scale), corner(-0.6, -0.6, scale),
+                               colour_of(colour));
     }
 }
 
-void draw_scale_and_north(ImDrawList& list, ImFont& font, const PlanLayout& layout, float unit_px) {
-    const ImU32 white = IM_COL32(255, 255, 255, 255), black = IM_COL32(0, 0, 0, 255);
-    const float text_px = 6.0F * unit_px;
+// Draws the holes of a labyrinth as filled circles and its goals as crosses.
+void draw_labyrinth(ImDrawList& list, const PlanLayout& layout, const Scene& scene, const Palette& palette,
+                    float unit_px) {
+    const auto corners = [&](const Aabb& box) {
+        return std::pair(im(layout.to_pixels(box.min_m)), im(layout.to_pixels(box.max_m)));
+    };
+    for (const LabyrinthPlan::Place& hole : scene.labyrinth.holes) {
+        const auto [a, b] = corners(hole.box_m);
+        const ImVec2 middle(0.5F * (a.x + b.x), 0.5F * (a.y + b.y));
+        const float radius = 0.5F * std::min(std::abs(b.x - a.x), std::abs(b.y - a.y));
+        list.AddCircleFilled(middle, radius, colour_of(palette.ground));
+        list.AddCircle(middle, radius, colour_of(palette.text), 0, 0.6F * unit_px);
+    }
+    for (const LabyrinthPlan::Place& goal : scene.labyrinth.goals) {
+        const auto [a, b] = corners(goal.box_m);
+        for (const auto& [wide, colour] :
+             {std::pair(2.4F * unit_px, palette.ground), std::pair(1.2F * unit_px, palette.beacon)}) {
+            list.AddLine(a, b, colour_of(colour), wide);
+            list.AddLine({a.x, b.y}, {b.x, a.y}, colour_of(colour), wide);
+        }
+    }
+}
+
+// Draws the place of the beacon as three rings, and a mark as a flag on a pole.
+void draw_places(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view, const Palette& palette,
+                 float unit_px) {
+    for (const core::DrawnPlace& mark : view.guidance.marks) {
+        const ImVec2 foot = im(layout.to_pixels(mark.place_m)), top(foot.x, foot.y - 6.0F * unit_px);
+        for (const auto& [wide, colour] :
+             {std::pair(1.6F * unit_px, palette.ground), std::pair(0.6F * unit_px, palette.mark)}) {
+            list.AddLine(foot, top, colour_of(colour), wide);
+            list.AddTriangleFilled({top.x, top.y - 0.5F * wide}, {top.x + 3.5F * unit_px, top.y + 1.5F * unit_px},
+                                   {top.x, top.y + 3.0F * unit_px + 0.5F * wide}, colour_of(colour));
+        }
+    }
+    if (!view.guidance.beacon) return;
+    const ImVec2 at = im(layout.to_pixels(view.guidance.beacon->place_m));
+    for (const float radius : {1.2F, 2.6F, 4.0F}) {
+        list.AddCircle(at, radius * unit_px, colour_of(palette.ground), 0, 1.4F * unit_px);
+        list.AddCircle(at, radius * unit_px, colour_of(palette.beacon), 0, 0.6F * unit_px);
+    }
+}
+
+// Draws the scale bar at the bottom left and the north needle at the top right. Returns the boxes that they cover.
+std::array<LabelBox, 2> draw_scale_and_north(ImDrawList& list, ImFont& font, const PlanLayout& layout,
+                                             const Palette& palette, float unit_px) {
+    const ImU32 text = colour_of(palette.text), ground = colour_of(palette.ground);
+    const float text_px = 4.0F * unit_px;
+    const ImVec2 min = im(layout.box.min_px), max = im(layout.box.max_px);
     const ScaleBar bar = scale_bar(layout.pixels_per_m, 0.25 * (layout.box.max_px.x - layout.box.min_px.x));
     const float length_px = static_cast<float>(bar.length_m * layout.pixels_per_m);
     const ImVec2 text_size = font.CalcTextSizeA(text_px, 1e9F, 0.0F, bar.words.c_str());
-    const ImVec2 start(2.0F * unit_px, static_cast<float>(layout.box.max_px.y) - 3.0F * unit_px);
-    list.AddRectFilled({0.0F, start.y - text_px - 2.0F * unit_px},
-                       {start.x + std::max(length_px, text_size.x) + 2.0F * unit_px, start.y + 3.0F * unit_px}, black);
-    list.AddLine(start, {start.x + length_px, start.y}, white, unit_px);
+    const ImVec2 start(min.x + 2.0F * unit_px, max.y - 3.0F * unit_px);
+    const LabelBox scale{{min.x, start.y - text_px - 2.0F * unit_px},
+                         {start.x + std::max(length_px, text_size.x) + 2.0F * unit_px, max.y}};
+    list.AddRectFilled(scale.from, scale.to, ground);
+    list.AddLine(start, {start.x + length_px, start.y}, text, unit_px);
     for (const float x : {start.x, start.x + length_px})
-        list.AddLine({x, start.y - 1.5F * unit_px}, {x, start.y + 1.5F * unit_px}, white, 0.6F * unit_px);
-    list.AddText(&font, text_px, {start.x, start.y - text_px - 1.5F * unit_px}, white, bar.words.c_str());
+        list.AddLine({x, start.y - 1.5F * unit_px}, {x, start.y + 1.5F * unit_px}, text, 0.6F * unit_px);
+    list.AddText(&font, text_px, {start.x, start.y - text_px - 1.5F * unit_px}, text, bar.words.c_str());
 
     // The tip of the needle points north.
-    const ImVec2 middle(static_cast<float>(layout.box.max_px.x) - 8.0F * unit_px, 8.0F * unit_px);
+    const ImVec2 middle(max.x - 6.0F * unit_px, min.y + 6.0F * unit_px);
     const auto needle = [&](double along, double across) {
         return ImVec2(middle.x + unit_px * static_cast<float>(across * std::cos(layout.turn_rad) -
                                                               along * std::sin(layout.turn_rad)),
                       middle.y - unit_px * static_cast<float>(along * std::cos(layout.turn_rad) +
                                                               across * std::sin(layout.turn_rad)));
     };
-    list.AddCircleFilled(middle, 7.5F * unit_px, black);
-    list.AddCircle(middle, 7.5F * unit_px, white, 0, 2.0F);
-    list.AddTriangleFilled(needle(6.5, 0.0), needle(1.0, 2.0), needle(1.0, -2.0), white);
+    list.AddCircleFilled(middle, 5.5F * unit_px, ground);
+    list.AddCircle(middle, 5.5F * unit_px, text, 0, 2.0F);
+    list.AddTriangleFilled(needle(5.0, 0.0), needle(0.8, 1.6), needle(0.8, -1.6), text);
     const std::string north = phrase("window.north");
     const ImVec2 letter = font.CalcTextSizeA(text_px, 1e9F, 0.0F, north.c_str());
-    const ImVec2 below = needle(-2.5, 0.0);
-    list.AddText(&font, text_px, {below.x - 0.5F * letter.x, below.y - 0.5F * letter.y}, white, north.c_str());
+    const ImVec2 below = needle(-2.0, 0.0);
+    list.AddText(&font, text_px, {below.x - 0.5F * letter.x, below.y - 0.5F * letter.y}, text, north.c_str());
+    return {scale, box_around(middle, 5.5F * unit_px)};
 }
 
 }  // namespace
@@ -151,14 +238,18 @@ void PlanDrawing::cut(const core::ViewState& view) {
     });
 }
 
-void PlanDrawing::draw(const core::ViewState& view, ImFont& font, PixelSize picture) {
-    const PixelBox box{Vec2(0.0), Vec2(picture.width, picture.height)};
-    const PlanLayout layout = lay_out_plan(view.scene->bounds_m, view.feet_m, view.heading_rad, view.north_up, box);
+void PlanDrawing::draw(const core::ViewState& view, ImFont& font, const PixelBox& box, float text_px) {
+    palette_ = &palette_of(view.display.colours);
+    unit_px_ = text_px / 5.0F;
+    line_ = static_cast<float>(view.display.outline_width);
+    const PlanLayout layout = lay_out_plan(plan_extent(view), view.feet_m, view.heading_rad, view.north_up, box);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.PushClipRect({0.0F, 0.0F}, im(box.max_px));
+    list.PushClipRect(im(box.min_px), im(box.max_px));
     // Compute the plan's cut again after a step up or down, but not after each of the small height changes on a slope.
     if (!cut_ || std::abs(cut_->feet_height_m - view.feet_m.z) > 0.1) cut(view);
-    for (const plan::PlanShape& shape : cut_->shapes) draw_shape(list, layout, shape);
+    draw_grounds(list, layout, view);
+    for (const plan::PlanShape& shape : cut_->shapes)
+        if (shape.kind != plan::PlanKind::Floor) draw_shape(list, layout, shape);
     const auto where_free = [&](std::size_t thing) -> std::optional<Placement> {
         if (!free_[thing]) return std::nullopt;
         const auto moved = std::find_if(view.moved.begin(), view.moved.end(),
@@ -168,28 +259,109 @@ void PlanDrawing::draw(const core::ViewState& view, ImFont& font, PixelSize pict
     for (const plan::PlanShape& shape : plan::cut_things(*view.scene, view.feet_m.z, where_free))
         draw_shape(list, layout, shape);
     for (const auto& [a, b] : cut_->sheets_m)
-        list.AddLine(im(layout.to_pixels(a)), im(layout.to_pixels(b)), kWallColour, 3.0F);
+        list.AddLine(im(layout.to_pixels(a)), im(layout.to_pixels(b)), colour_of(palette_->wall), 3.0F * line_);
+    draw_room_outlines(list, layout, view);
+    draw_labyrinth(list, layout, *view.scene, *palette_, unit_px_);
 
-    const float unit_px = static_cast<float>(picture.height) / 100.0F;
-    draw_room_outlines(list, layout, view, unit_px);
-    points_.clear();
-    for (const Vec3& step : view.path_m) points_.push_back(im(layout.to_pixels(step)));
-    if (!points_.empty()) {
-        points_.push_back(im(layout.to_pixels(view.feet_m)));
-        list.AddPolyline(points_.data(), static_cast<int>(points_.size()), IM_COL32(0, 255, 255, 255), 0,
-                         std::max(2.0F, 0.6F * unit_px));
+    std::vector<Vec3> path_m = view.path_m;
+    if (!path_m.empty()) path_m.push_back(view.feet_m);
+    draw_line(list, layout, path_m, palette_->path, 0.6F, 0.0F);
+    draw_line(list, layout, view.hand_path_m, palette_->hand_path, 0.4F, 0.8F);
+    draw_line(list, layout, view.guidance.route_m, palette_->route, 1.0F, 3.0F);
+    draw_places(list, layout, view, *palette_, unit_px_);
+    if (view.show_hand) draw_hand(list, layout, view, *palette_, unit_px_);
+    draw_walker(list, layout, view, *palette_, unit_px_);
+
+    Labels labels(list, font, *palette_, unit_px_);
+    for (const LabelBox& covered : draw_scale_and_north(list, font, layout, *palette_, unit_px_))
+        labels.keep_free(covered);
+    labels.keep_free(box_around(im(layout.to_pixels(view.feet_m)), 5.0F * unit_px_));
+    if (view.show_hand) labels.keep_free(box_around(im(layout.to_pixels(view.proxy_m)), 3.0F * unit_px_));
+    for (const core::DrawnPlace& mark : view.guidance.marks) {
+        const ImVec2 foot = im(layout.to_pixels(mark.place_m));
+        labels.keep_free({{foot.x - unit_px_, foot.y - 7.0F * unit_px_}, {foot.x + 4.0F * unit_px_, foot.y}});
     }
-    draw_hand(list, layout, view, unit_px);
-    draw_walker(list, layout, view, unit_px);
-    draw_room_names(list, font, layout, view, unit_px);
-    draw_scale_and_north(list, font, layout, unit_px);
+    if (view.guidance.beacon)
+        labels.keep_free(box_around(im(layout.to_pixels(view.guidance.beacon->place_m)), 4.5F * unit_px_));
+    for (const Label& label : labels_of(view, layout)) labels.put(label, box);
     list.PopClipRect();
 }
 
+// Fills the ground outside and inside the building. The inside is where rooms are, or the floors while no rooms are
+// known. Rooms that the walker has visited are dotted.
+void PlanDrawing::draw_grounds(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view) {
+    list.AddRectFilled(im(layout.box.min_px), im(layout.box.max_px), colour_of(palette_->outside));
+    if (!view.rooms) {
+        for (const plan::PlanShape& shape : cut_->shapes)
+            if (shape.kind == plan::PlanKind::Floor) draw_shape(list, layout, shape);
+        return;
+    }
+    const auto flags = list.Flags;
+    list.Flags &= ~ImDrawListFlags_AntiAliasedFill;  // otherwise thin gaps would be visible between the rows
+    const auto each_loop = [&](std::size_t r, const std::function<void()>& use) {
+        for (const std::vector<Vec2>& loop : (*view.rooms)[r].outline.loops_m) {
+            points_.clear();
+            for (const Vec2& corner : loop) points_.push_back(im(layout.to_pixels(corner)));
+            if (points_.size() >= 3) use();
+        }
+    };
+    const ImU32 inside = colour_of(palette_->inside);
+    const std::vector<std::size_t> rooms = rooms_of_storey(view);
+    constexpr float kRow_px = 2.0F;
+    for (const std::size_t r : rooms) {
+        if ((*view.rooms)[r].outside) continue;
+        each_loop(r, [&] {
+            for_each_span(kRow_px, [&](float y, float from, float to) {
+                list.AddRectFilled({from, y}, {to, y + kRow_px}, inside);
+            });
+            list.AddPolyline(points_.data(), static_cast<int>(points_.size()), inside, ImDrawFlags_Closed,
+                             static_cast<float>(2.0 * kBeyondOutline_m * layout.pixels_per_m));
+        });
+    }
+    const float step = std::max(4.0F, 2.0F * unit_px_), dot = std::max(1.0F, 0.3F * unit_px_);
+    for (const std::size_t r : rooms) {
+        if (r >= view.visited.size() || !view.visited[r]) continue;
+        each_loop(r, [&] {
+            for_each_span(step, [&](float y, float from, float to) {
+                for (float x = std::ceil(from / step) * step; x < to; x += step)
+                    list.AddRectFilled({x, y}, {x + dot, y + dot}, colour_of(palette_->room_outline));
+            });
+        });
+    }
+    list.Flags = flags;
+}
+
+// Draws a line with a border, in dashes if `dash_px` is not 0. Both widths are in units.
+void PlanDrawing::draw_line(ImDrawList& list, const PlanLayout& layout, const std::vector<Vec3>& line_m,
+                            const Rgb& colour, float wide, float dash) {
+    if (line_m.size() < 2) return;
+    const float wide_px = std::max(2.0F, wide * unit_px_ * line_), dash_px = dash * unit_px_;
+    points_.clear();
+    for (const Vec3& point : line_m) points_.push_back(im(layout.to_pixels(point)));
+    const int count = static_cast<int>(points_.size());
+    if (dash <= 0.0F) {
+        list.AddPolyline(points_.data(), count, colour_of(colour), 0, wide_px);
+        return;
+    }
+    list.AddPolyline(points_.data(), count, colour_of(palette_->ground), 0, wide_px + 0.8F * unit_px_);
+    float along = 0.0F;
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+        const ImVec2 a = points_[i - 1], b = points_[i];
+        const float length = std::hypot(b.x - a.x, b.y - a.y);
+        if (length < 1e-3F) continue;
+        const auto at = [&](float t) { return ImVec2(a.x + (b.x - a.x) * t / length, a.y + (b.y - a.y) * t / length); };
+        // The dashes continue across the corners of the line.
+        for (float t = -std::fmod(along, 2.0F * dash_px); t < length; t += 2.0F * dash_px)
+            if (t + dash_px > 0.0F)
+                list.AddLine(at(std::max(0.0F, t)), at(std::min(length, t + dash_px)), colour_of(colour), wide_px);
+        along += length;
+    }
+}
+
 // Draws a shape of the plan. Kinds of shapes differ in filling and outline:
-// - floors are dark, and walls are filled;
-// - objects are darker with a light border;
-// - doors have a cross and no filling, and movers have no filling;
+// - floors and walls are filled;
+// - objects are filled and have an outline;
+// - doors have a cross, and movers have an outline; both have the same filling;
 // - liquids are hatched, and low things have thin outlines.
 void PlanDrawing::draw_shape(ImDrawList& list, const PlanLayout& layout, const plan::PlanShape& shape) {
     // ImGui smooths borders correctly if the corners are clockwise as seen. They are, because the y axis is flipped.
@@ -205,69 +377,82 @@ void PlanDrawing::draw_shape(ImDrawList& list, const PlanLayout& layout, const p
         return;
     std::reverse(points_.begin(), points_.end());
     const int count = static_cast<int>(points_.size());
-    const ImU32 white = IM_COL32(255, 255, 255, 255), black = IM_COL32(0, 0, 0, 255);
+    const auto fill = [&](const Rgb& colour) { list.AddConvexPolyFilled(points_.data(), count, colour_of(colour)); };
+    const auto outline = [&](const Rgb& colour, float wide_px) {
+        list.AddPolyline(points_.data(), count, colour_of(colour), ImDrawFlags_Closed, wide_px * line_);
+    };
     switch (shape.kind) {
         case plan::PlanKind::Floor:
-            list.AddConvexPolyFilled(points_.data(), count, IM_COL32(34, 42, 66, 255));
+            fill(palette_->inside);
             break;
         case plan::PlanKind::Wall:
-            list.AddConvexPolyFilled(points_.data(), count, kWallColour);
+            fill(palette_->wall);
             break;
         case plan::PlanKind::Object:
-            list.AddConvexPolyFilled(points_.data(), count, IM_COL32(130, 100, 60, 255));
-            list.AddPolyline(points_.data(), count, white, ImDrawFlags_Closed, 2.0F);
+            fill(palette_->object);
+            outline(palette_->object_outline, 2.0F);
             break;
         case plan::PlanKind::Door:
-            list.AddConvexPolyFilled(points_.data(), count, black);
-            list.AddPolyline(points_.data(), count, IM_COL32(255, 240, 120, 255), ImDrawFlags_Closed, 3.0F);
+            fill(palette_->door);
+            outline(palette_->door_outline, 3.0F);
             for (int i = 0; i < count / 2; ++i)
                 list.AddLine(points_[static_cast<std::size_t>(i)], points_[static_cast<std::size_t>(i + count / 2)],
-                             IM_COL32(255, 240, 120, 255), 2.0F);
+                             colour_of(palette_->door_outline), 2.0F * line_);
             break;
         case plan::PlanKind::Mover:
-            list.AddConvexPolyFilled(points_.data(), count, black);
-            list.AddPolyline(points_.data(), count, IM_COL32(190, 230, 255, 255), ImDrawFlags_Closed, 3.0F);
+            fill(palette_->door);
+            outline(palette_->mover_outline, 3.0F);
             break;
         case plan::PlanKind::Liquid:
-            draw_hatch(list, bounds_px);
+            draw_hatch(list);
             break;
         case plan::PlanKind::Low:
-            list.AddPolyline(points_.data(), count, IM_COL32(150, 150, 150, 255), ImDrawFlags_Closed, 2.5F);
+            outline(palette_->low, 2.5F);
             break;
     }
 }
 
 // Draws the outlines of the rooms on the storey. Draws the outline of the current room last and three times as thick.
-// All outlines are white on black, like everything important on the plan.
-void PlanDrawing::draw_room_outlines(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view,
-                                     float unit_px) {
-    for (const std::size_t r : rooms_of_storey(view)) {
-        const float thick_px = (r == view.room ? 1.2F : 0.4F) * unit_px;
+// Each outline has a border in the colour of the ground.
+void PlanDrawing::draw_room_outlines(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view) {
+    std::vector<std::size_t> rooms = rooms_of_storey(view);
+    std::stable_partition(rooms.begin(), rooms.end(), [&](std::size_t r) { return r != view.room; });
+    for (const std::size_t r : rooms) {
+        const float thick_px = (r == view.room ? 1.2F : 0.4F) * unit_px_ * line_;
         for (const std::vector<Vec2>& loop : (*view.rooms)[r].outline.loops_m) {
             points_.clear();
             for (const Vec2& corner : loop) points_.push_back(im(layout.to_pixels(corner)));
             const int count = static_cast<int>(points_.size());
-            list.AddPolyline(points_.data(), count, IM_COL32(0, 0, 0, 255), ImDrawFlags_Closed,
-                             thick_px + 0.6F * unit_px);
-            list.AddPolyline(points_.data(), count, IM_COL32(255, 255, 255, 255), ImDrawFlags_Closed, thick_px);
+            list.AddPolyline(points_.data(), count, colour_of(palette_->ground), ImDrawFlags_Closed,
+                             thick_px + 0.6F * unit_px_);
+            list.AddPolyline(points_.data(), count, colour_of(palette_->room_outline), ImDrawFlags_Closed, thick_px);
         }
     }
 }
 
 // Draws horizontal lines across the shape in points_.
-void PlanDrawing::draw_hatch(ImDrawList& list, const Aabb& bounds_px) {
-    const ImU32 colour = IM_COL32(90, 170, 255, 255);
-    list.AddPolyline(points_.data(), static_cast<int>(points_.size()), colour, ImDrawFlags_Closed, 2.0F);
-    for (double y = std::ceil(bounds_px.min_m.y / 6.0) * 6.0; y < bounds_px.max_m.y; y += 6.0) {
-        float from = std::numeric_limits<float>::infinity(), to = -from;
+void PlanDrawing::draw_hatch(ImDrawList& list) {
+    const ImU32 colour = colour_of(palette_->liquid);
+    list.AddPolyline(points_.data(), static_cast<int>(points_.size()), colour, ImDrawFlags_Closed, 2.0F * line_);
+    for_each_span(6.0F, [&](float y, float from, float to) { list.AddLine({from, y}, {to, y}, colour, 1.0F); });
+}
+
+void PlanDrawing::for_each_span(float step_px, const std::function<void(float, float, float)>& use) const {
+    float top = points_.front().y, bottom = top;
+    for (const ImVec2& p : points_) {
+        top = std::min(top, p.y);
+        bottom = std::max(bottom, p.y);
+    }
+    std::vector<float> crossings;
+    for (float y = std::ceil(top / step_px) * step_px; y < bottom; y += step_px) {
+        crossings.clear();
         for (std::size_t i = 0; i < points_.size(); ++i) {
             const ImVec2 a = points_[i], b = points_[(i + 1) % points_.size()];
             if ((a.y > y) == (b.y > y)) continue;
-            const float x = a.x + (static_cast<float>(y) - a.y) / (b.y - a.y) * (b.x - a.x);
-            from = std::min(from, x);
-            to = std::max(to, x);
+            crossings.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
         }
-        if (from < to) list.AddLine({from, static_cast<float>(y)}, {to, static_cast<float>(y)}, colour, 1.0F);
+        std::sort(crossings.begin(), crossings.end());
+        for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) use(y, crossings[i], crossings[i + 1]);
     }
 }
 

@@ -5,14 +5,17 @@
 #include <glm/ext/matrix_clip_space.hpp>
 #include <vector>
 
+#include "app/window/drawn_colour.h"
+#include "app/window/force_arrow.h"
+
 namespace handrail::window {
 namespace {
 
 constexpr double kFieldOfView_rad = kPi / 3.0;  // vertical field of view
 constexpr double kNear_m = 0.02;
-// Smallest radius of the drawn ball as a fraction of its distance. So the ball at the proxy, whose radius is 5 mm,
-// stays visible across a room.
-constexpr double kSmallestProxyPart = 0.02;
+constexpr float kDarkerFrom_m = 4.0F;  // surfaces farther from the eyes than this are darker
+constexpr double kSmallestInInset = 0.06;
+constexpr double kInsetPart = 0.36;  // size of the picture of a hand that is out of view, as a part of the whole
 // Width of an outline as a fraction of the picture's height. The white core of the outline is a third of this width.
 constexpr float kEdgePart = 1.0F / 100.0F;
 
@@ -27,8 +30,11 @@ uniform mat3 turn;
 out vec2 place_m;
 flat out vec3 colour;
 flat out uint kind;
+out float away_m;
 void main() {
-    gl_Position = clip_from_eye * vec4(turn * position_m + origin_from_eye_m, 1.0);
+    vec3 from_eye_m = turn * position_m + origin_from_eye_m;
+    away_m = length(from_eye_m);
+    gl_Position = clip_from_eye * vec4(from_eye_m, 1.0);
     place_m = surface_m;
     colour = rgb;
     kind = pattern;
@@ -39,6 +45,9 @@ in vec2 place_m;
 flat in vec3 colour;
 flat in uint kind;
 uniform float opacity;
+uniform bool bare;       // no filling; stripes in the colour of the outlines
+uniform float away_from_m;
+in float away_m;
 out vec4 shown;
 // 1 in the dark half of a stripe; far away, where stripes are finer than a pixel, their mean.
 float stripe(float x) {
@@ -53,7 +62,10 @@ void main() {
     else if (kind == 2u) dark = stripe(place_m.y / 0.24);
     else if (kind == 3u) dark = stripe((place_m.x + place_m.y) / 0.5);
     else if (kind == 4u) dark = abs(stripe(place_m.x / 0.3) - stripe(place_m.y / 0.3));
-    shown = vec4(colour * (1.0 - 0.6 * dark), opacity);
+    // Far surfaces are darker, so that the depth of a room can be seen.
+    float far = 1.0 - 0.45 * smoothstep(away_from_m, 10.0 * away_from_m, away_m);
+    vec3 filled = colour * (1.0 - 0.6 * dark) * far;
+    shown = vec4(bare ? (kind == 0u ? vec3(0.0) : vec3(dark, dark, 0.0)) : filled, opacity);
 })";
 
 // Draws a line of a given width in pixels, because core profiles only draw lines that are one pixel wide. The shader
@@ -111,6 +123,7 @@ void main() {
 
 constexpr const char* kProxyFragment = R"(#version 330 core
 in vec2 place;
+uniform vec3 filling;
 uniform bool touching;
 uniform bool forces_on;
 out vec4 shown;
@@ -124,10 +137,29 @@ void main() {
     else {
         if (!forces_on && r < 0.55) discard;
         float towards = sqrt(1.0 - r * r);
-        vec3 colour = touching ? vec3(1.0, 0.05, 0.05) : vec3(0.05, 1.0, 0.2);
-        shown = vec4(colour * (0.6 + 0.4 * towards), 1.0);
+        shown = vec4(filling * (0.6 + 0.4 * towards), 1.0);
     }
 })";
+
+// Returns the pixel at which a camera shows a place, which is relative to the eyes and must be in front of the camera.
+Vec2 pixel_of(const Vec3& from_eyes_m, double heading_rad, double tilt_rad, const PixelBox& box) {
+    const double ahead = glm::dot(from_eyes_m, forward_of_heading(heading_rad)),
+                 right = glm::dot(from_eyes_m, right_of_heading(heading_rad));
+    const double depth = ahead * std::cos(tilt_rad) + from_eyes_m.z * std::sin(tilt_rad);
+    const double up = from_eyes_m.z * std::cos(tilt_rad) - ahead * std::sin(tilt_rad);
+    const Vec2 size = box.max_px - box.min_px;
+    const double focal_px = 0.5 * size.y / std::tan(0.5 * kFieldOfView_rad);
+    return 0.5 * (box.min_px + box.max_px) + focal_px / std::max(depth, 1e-6) * Vec2(right, -up);
+}
+
+// Returns true if the camera shows the place in its picture.
+bool is_seen(const Vec3& from_eyes_m, double heading_rad, double tilt_rad, const PixelBox& box) {
+    const double depth = glm::dot(
+        from_eyes_m, std::cos(tilt_rad) * forward_of_heading(heading_rad) + std::sin(tilt_rad) * Vec3(0.0, 0.0, 1.0));
+    if (depth < kNear_m) return false;
+    const Vec2 at = pixel_of(from_eyes_m, heading_rad, tilt_rad, box);
+    return at.x >= box.min_px.x && at.x < box.max_px.x && at.y >= box.min_px.y && at.y < box.max_px.y;
+}
 
 // A mesh to draw, its rotation about its origin, and the position of its origin relative to the eye.
 struct Part {
@@ -171,11 +203,56 @@ Result<void> FirstPerson::start() {
     return {};
 }
 
-void FirstPerson::draw(const core::ViewState& view, UploadedScene& scene, PixelSize picture, int bottom_px) {
-    glViewport(0, bottom_px, picture.width, picture.height);
-    const Vec3 level = forward_of_heading(view.heading_rad);
-    const Vec3 right = right_of_heading(view.heading_rad);
-    const Vec3 forward = std::cos(view.tilt_rad) * level + std::sin(view.tilt_rad) * Vec3(0.0, 0.0, 1.0);
+void FirstPerson::draw(const core::ViewState& view, UploadedScene& scene, const PixelBox& box, PixelSize window,
+                       ImFont& font, float text_px) {
+    const Camera ahead{view.heading_rad, view.tilt_rad};
+    draw_seen(view, scene, ahead, box, window);
+    if (!view.show_hand) return;
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const Palette& palette = palette_of(view.display.colours);
+    const auto put_force = [&](const Camera& camera, const PixelBox& picture) {
+        const Vec2 at = pixel_of(view.proxy_m - view.eyes_m, camera.heading_rad, camera.tilt_rad, picture);
+        const Vec2 to =
+            pixel_of(view.proxy_m + 0.05 * view.force_n - view.eyes_m, camera.heading_rad, camera.tilt_rad, picture) -
+            at;
+        const Vec2 direction = glm::length(to) > 1e-6 ? to / glm::length(to) : Vec2(1.0, 0.0);
+        const ImVec2 from(static_cast<float>(at.x), static_cast<float>(at.y)),
+            along(static_cast<float>(direction.x), static_cast<float>(direction.y));
+        const double newtons = glm::length(view.force_n);
+        const ImVec2 tip = draw_force(list, from, along, newtons, text_px / 5.0F, palette);
+        write_force(list, font, tip, along, newtons, text_px / 5.0F, palette);
+    };
+    if (is_seen(view.proxy_m - view.eyes_m, ahead.heading_rad, ahead.tilt_rad, box)) return put_force(ahead, box);
+
+    const Vec3 to = view.proxy_m - view.eyes_m;
+    const Camera towards{std::atan2(to.x, to.y), std::atan2(to.z, std::max(1e-6, std::hypot(to.x, to.y))),
+                         kSmallestInInset};
+    const Vec2 size = glm::floor(kInsetPart * (box.max_px - box.min_px));
+    const PixelBox inset{Vec2(box.max_px.x - size.x, box.min_px.y), Vec2(box.max_px.x, box.min_px.y + size.y)};
+    draw_seen(view, scene, towards, inset, window);
+    for (const auto& [wide, colour] : {std::pair(6.0F, palette.ground), std::pair(2.0F, palette.text)})
+        list.AddRect({static_cast<float>(inset.min_px.x), static_cast<float>(inset.min_px.y)},
+                     {static_cast<float>(inset.max_px.x), static_cast<float>(inset.max_px.y)}, colour_of(colour), 0.0F,
+                     0, wide);
+    put_force(towards, inset);
+}
+
+void FirstPerson::draw_seen(const core::ViewState& view, UploadedScene& scene, const Camera& camera,
+                            const PixelBox& box, PixelSize window) {
+    const PixelSize picture{static_cast<int>(box.max_px.x - box.min_px.x),
+                            static_cast<int>(box.max_px.y - box.min_px.y)};
+    if (picture.width < 1 || picture.height < 1) return;
+    const int left_px = static_cast<int>(box.min_px.x), bottom_px = window.height - static_cast<int>(box.max_px.y);
+    glViewport(left_px, bottom_px, picture.width, picture.height);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(left_px, bottom_px, picture.width, picture.height);
+    const Palette& palette = palette_of(view.display.colours);
+    glClearColor(static_cast<float>(palette.outside[0]) / 255.0F, static_cast<float>(palette.outside[1]) / 255.0F,
+                 static_cast<float>(palette.outside[2]) / 255.0F, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const Vec3 level = forward_of_heading(camera.heading_rad);
+    const Vec3 right = right_of_heading(camera.heading_rad);
+    const Vec3 forward = std::cos(camera.tilt_rad) * level + std::sin(camera.tilt_rad) * Vec3(0.0, 0.0, 1.0);
     const Vec3 up = glm::cross(right, forward);
     // Positions relative to the eye are computed in double precision. So a building that is far from its file's origin
     // does not tremble.
@@ -200,6 +277,8 @@ void FirstPerson::draw(const core::ViewState& view, UploadedScene& scene, PixelS
     surface_program_.use();
     surface_program_.set("clip_from_eye", clip_from_eye);
     surface_program_.set("opacity", 1.0F);
+    surface_program_.set("bare", palette.bare);
+    surface_program_.set("away_from_m", kDarkerFrom_m);
     const auto draw_parts = [&](const GlProgram& program, void (*draw_one)(UploadedMesh&)) {
         for (const Part& part : parts) {
             program.set("turn", part.turn);
@@ -213,10 +292,12 @@ void FirstPerson::draw(const core::ViewState& view, UploadedScene& scene, PixelS
     edge_program_.use();
     edge_program_.set("clip_from_eye", clip_from_eye);
     edge_program_.set("half_size_px", 0.5F * glm::vec2(picture.width, picture.height));
-    edge_program_.set("half_width_px", std::max(1.5F, 0.5F * kEdgePart * static_cast<float>(picture.height)));
+    edge_program_.set("half_width_px",
+                      std::max(1.5F, 0.5F * kEdgePart * static_cast<float>(view.display.outline_width) *
+                                         static_cast<float>(window.height)));
     draw_parts(edge_program_, [](UploadedMesh& mesh) { mesh.draw_edges(); });
 
-    if (view.show_hand) draw_proxy(view, clip_from_eye, right, up);
+    if (view.show_hand) draw_proxy(view, camera, clip_from_eye, right, up);
 
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
@@ -227,13 +308,14 @@ void FirstPerson::draw(const core::ViewState& view, UploadedScene& scene, PixelS
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
+    glDisable(GL_SCISSOR_TEST);
 }
 
-void FirstPerson::draw_proxy(const core::ViewState& view, const glm::mat4& clip_from_eye, const Vec3& right,
-                             const Vec3& up) {
+void FirstPerson::draw_proxy(const core::ViewState& view, const Camera& camera, const glm::mat4& clip_from_eye,
+                             const Vec3& right, const Vec3& up) {
     const Vec3 centre = view.proxy_m - view.eyes_m;
     const double distance_m = glm::length(centre);
-    const double radius_m = std::max(view.proxy_radius_m, kSmallestProxyPart * distance_m);
+    const double radius_m = std::max(view.proxy_radius_m, camera.smallest_proxy * distance_m);
     proxy_program_.use();
     proxy_program_.set("clip_from_eye", clip_from_eye);
     proxy_program_.set("centre_from_eye_m", glm::vec3(centre));
@@ -243,6 +325,9 @@ void FirstPerson::draw_proxy(const core::ViewState& view, const glm::mat4& clip_
     proxy_program_.set("pull", static_cast<float>(std::max(0.5, 1.0 - 2.0 * radius_m / std::max(distance_m, 1e-3))));
     proxy_program_.set("right", glm::vec3(right));
     proxy_program_.set("up", glm::vec3(up));
+    const Palette& palette = palette_of(view.display.colours);
+    const Rgb& filling = view.touching ? palette.touching : palette.hand;
+    proxy_program_.set("filling", glm::vec3(filling[0], filling[1], filling[2]) / 255.0F);
     proxy_program_.set("touching", view.touching);
     proxy_program_.set("forces_on", view.forces_on);
     no_vertices_.bind();

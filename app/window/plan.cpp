@@ -14,15 +14,66 @@ Vec2 PlanLayout::to_pixels(const Vec2& world_m) const {
     return {middle.x + x * pixels_per_m, middle.y - y * pixels_per_m};
 }
 
-PlanLayout lay_out_plan(const Aabb& bounds_m, const Vec3& feet_m, double heading_rad, bool north_up,
+std::vector<std::size_t> rooms_of_storey(const core::ViewState& view) {
+    std::vector<std::size_t> rooms;
+    if (!view.rooms) return rooms;
+    for (std::size_t r = 0; r < view.rooms->size(); ++r)
+        if (const core::DrawnRoom& room = (*view.rooms)[r];
+            r == view.room || (room.outline.lowest_m < view.feet_m.z + plan::kPlanCutAboveFeet_m &&
+                               room.outline.highest_m > view.feet_m.z - plan::kPlanDeep_m))
+            rooms.push_back(r);
+    return rooms;
+}
+
+PlanExtent plan_extent(const core::ViewState& view) {
+    PlanExtent extent{view.scene->bounds_m};
+    if (const LabyrinthPlan& game = view.scene->labyrinth; game.there()) {
+        Aabb table;
+        for (const FeatureId border : game.borders) table.include(view.scene->features[border.value].bounds_m);
+        for (const auto* places : {&game.holes, &game.goals})
+            for (const LabyrinthPlan::Place& place : *places) table.include(place.box_m);
+        return {table.empty() ? extent.bounds_m : table, 0.0, 1e4};
+    }
+    if (!view.plan_scale) return extent;
+    extent.least_px_per_m = 0.0;
+    const auto include = [&](Aabb& bounds, std::size_t r) {
+        for (const std::vector<Vec2>& loop : (*view.rooms)[r].outline.loops_m)
+            for (const Vec2& corner : loop) bounds.include(Vec3(corner, view.feet_m.z));
+    };
+    const auto around = [&](double margin_m) {
+        return Aabb{view.feet_m - Vec3(margin_m), view.feet_m + Vec3(margin_m)};
+    };
+    Aabb shown;
+    switch (*view.plan_scale) {
+        case core::NamedScale::Building:
+            return extent;
+        case core::NamedScale::Floor:
+            for (const std::size_t r : rooms_of_storey(view)) include(shown, r);
+            break;
+        case core::NamedScale::Room:
+            if (view.rooms && view.room < view.rooms->size()) include(shown, view.room);
+            else shown = around(2.0 * kPlanDetail_m);
+            break;
+        case core::NamedScale::Detail:
+            shown = around(kPlanDetail_m);
+            extent.most_px_per_m = 4.0 * kPlanClosest_px_per_m;
+            break;
+    }
+    if (shown.empty()) return extent;
+    extent.bounds_m = {shown.min_m - Vec3(kPlanRoomMargin_m), shown.max_m + Vec3(kPlanRoomMargin_m)};
+    return extent;
+}
+
+PlanLayout lay_out_plan(const PlanExtent& extent, const Vec3& feet_m, double heading_rad, bool north_up,
                         const PixelBox& box) {
+    const Aabb& bounds_m = extent.bounds_m;
     PlanLayout layout;
     layout.box = box;
     layout.centre_m = Vec2(feet_m.x, feet_m.y);
     const Vec2 size_px = box.max_px - box.min_px;
     const Vec3 world = bounds_m.empty() ? Vec3(1.0) : glm::max(bounds_m.size_m(), Vec3(1e-3));
     const double whole = 0.94 * std::min(size_px.x / world.x, size_px.y / world.y);
-    layout.pixels_per_m = std::clamp(whole, kPlanFinest_px_per_m, kPlanClosest_px_per_m);
+    layout.pixels_per_m = std::clamp(whole, std::max(extent.least_px_per_m, 1e-3), extent.most_px_per_m);
     if (!north_up) {
         layout.turn_rad = heading_rad;
         return layout;

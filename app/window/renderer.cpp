@@ -21,6 +21,8 @@ namespace handrail::window {
 namespace {
 
 constexpr float kFontBaked_px = 64.0F;
+// Height of names in the pictures, as a part of that of small text.
+constexpr float kPlanTextPart = 0.8F;
 
 // Loads a bold font with Latin letters from the folders in which Debian and related systems install such fonts. If
 // there is none, enlarges ImGui's own small font.
@@ -71,7 +73,9 @@ public:
         glViewport(0, 0, size.width, size.height);
         glDisable(GL_SCISSOR_TEST);
         glDepthMask(GL_TRUE);
-        glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+        const Palette& palette = palette_of(view.display.colours);
+        glClearColor(static_cast<float>(palette.ground[0]) / 255.0F, static_cast<float>(palette.ground[1]) / 255.0F,
+                     static_cast<float>(palette.ground[2]) / 255.0F, 1.0F);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         if (view.scene && (!uploaded_ || uploaded_->scene() != view.scene.get())) {
             uploaded_.reset();
@@ -83,43 +87,26 @@ public:
         ImGui::GetIO().DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
         ImGui_ImplOpenGL3_NewFrame();
         ImGui::NewFrame();
-        const double line_px = kTextLinePart * size.height;
-        const PixelSize picture{size.width,
-                                size.height - static_cast<int>(std::ceil(2.0 * line_px + 2.0 * margin_px(size)))};
-        // An open list or question covers the picture, because a person who reads a list does not need the picture. The
-        // spoken sentence is then drawn only in the two lines below the list.
-        const bool open = view.dialogue.kind != core::DialogueView::Kind::None;
-        if (open)
-            draw_dialogue(*ImGui::GetForegroundDrawList(), *font_, view.dialogue, {0.0F, 0.0F},
-                          {static_cast<float>(picture.width), static_cast<float>(picture.height)},
-                          static_cast<float>(std::ceil(line_px)));
-        else if (view.scene && view.plan_view) plan_.draw(view, *font_, picture);
-        else if (view.scene) first_person_.draw(view, *uploaded_, picture, size.height - picture.height);
-        draw_text(view.last_spoken, size, open ? 2 : static_cast<std::size_t>(kLargestBandPart / kTextLinePart));
+        const WindowLayout layout = lay_out_window(size, view.pictures, view.display.text_size);
+        ImDrawList& texts = *ImGui::GetForegroundDrawList();
+        // An open list or question covers the pictures, because a person who reads a list does not need them.
+        if (view.dialogue.kind != core::DialogueView::Kind::None)
+            draw_dialogue(texts, *font_, view.dialogue, {0.0F, 0.0F},
+                          {static_cast<float>(layout.pictures.max_px.x), static_cast<float>(layout.pictures.max_px.y)},
+                          layout.line_px, palette);
+        else if (view.scene) draw_pictures(view, layout, size);
+        const std::array<std::string, 2> status{view.texts.hand, view.texts.task};
+        draw_status(texts, *font_, status, layout, palette);
+        draw_messages(texts, *font_, view.texts.messages, layout, palette);
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     }
 
 private:
-    static double margin_px(PixelSize size) { return size.height / 72.0; }
-
-    void draw_text(const std::string& text, PixelSize size, std::size_t most) const {
-        const float line_px = static_cast<float>(std::ceil(kTextLinePart * size.height));
-        const float margin = static_cast<float>(margin_px(size));
-        const float wrap_px = std::max(line_px, static_cast<float>(size.width) - 2.0F * margin);
-        const auto lines = wrapped_lines(*font_, line_px, text, wrap_px);
-        const std::size_t shown = std::min(lines.size(), most);
-        const float band_px = static_cast<float>(std::max<std::size_t>(shown, 2)) * line_px + 2.0F * margin;
-        ImDrawList& list = *ImGui::GetForegroundDrawList();
-        const auto height = static_cast<float>(size.height);
-        list.AddRectFilled({0.0F, height - band_px}, {static_cast<float>(size.width), height}, IM_COL32(0, 0, 0, 255));
-        for (std::size_t i = 0; i < shown; ++i) {
-            std::string line(lines[i]);
-            // The three dots show that the sentence is longer; its end is only spoken and printed in the terminal.
-            if (i + 1 == shown && shown < lines.size()) line += " ...";
-            list.AddText(font_, line_px, {margin, height - band_px + margin + static_cast<float>(i) * line_px},
-                         IM_COL32(255, 255, 255, 255), line.c_str());
-        }
+    void draw_pictures(const core::ViewState& view, const WindowLayout& layout, PixelSize size) {
+        if (!is_empty(layout.plan)) plan_.draw(view, *font_, layout.plan, kPlanTextPart * layout.small_px);
+        if (!is_empty(layout.first_person))
+            first_person_.draw(view, *uploaded_, layout.first_person, size, *font_, kPlanTextPart * layout.small_px);
     }
 
     FirstPerson first_person_;

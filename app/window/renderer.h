@@ -1,28 +1,17 @@
-// Draws a ViewState with OpenGL 3.3 core into the current framebuffer: the first-person view, the plan, or the open
-// list or question. Below that, draws the last spoken line in large letters on a black band. The class uses no window
-// and receives no input. Call the class on the app thread, while its OpenGL context is current.
+// Draws a ViewState with OpenGL 3.3 core into the current framebuffer: the first-person view and the plan, or the open
+// list or question. Below that, draws the state of the hand, the task and the last messages. window_layout.h defines
+// where. The class uses no window and receives no input. Call the class on the app thread, while its OpenGL context is
+// current.
 #pragma once
 
 #include <memory>
 
 #include "app/core/context/view.h"
 #include "app/window/picture.h"
+#include "app/window/window_layout.h"
 #include "worlds/base/result.h"
 
 namespace handrail::window {
-
-struct PixelSize {
-    int width = 0;
-    int height = 0;
-
-    bool operator==(const PixelSize&) const = default;
-};
-
-// Height of a line of text as a fraction of the picture's height, for people with low vision.
-inline constexpr double kTextLinePart = 1.0 / 12.0;
-// Greatest height of the band as a fraction of the picture's height. The band is always at least two lines high, so
-// that the picture does not move from one sentence to the next.
-inline constexpr double kLargestBandPart = 0.75;
 
 class Renderer {
 public:

@@ -1,5 +1,11 @@
 #include "app/window/window.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -14,6 +20,61 @@ namespace {
 
 // How many further frames are drawn after a change of size, because drivers may still present a buffer of the old size.
 constexpr int kFramesToSettle = 3;
+
+constexpr double kReducedMotion_s = 0.5;  // time between two pictures with reduced motion
+
+// A screen and the part of it without the bars of the desktop.
+struct Screen {
+    GLFWmonitor* monitor = nullptr;
+    WindowPlace free;
+};
+
+std::vector<Screen> screens() {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    std::vector<Screen> found;
+    for (int i = 0; i < count; ++i) {
+        Screen screen{monitors[i], {}};
+        glfwGetMonitorWorkarea(monitors[i], &screen.free.x, &screen.free.y, &screen.free.width, &screen.free.height);
+        if (screen.free.width > 0 && screen.free.height > 0) found.push_back(screen);
+    }
+    return found;
+}
+
+int overlap(int a, int a_size, int b, int b_size) { return std::min(a + a_size, b + b_size) - std::max(a, b); }
+
+// Returns the screen that shows most of the window, or the first screen.
+Screen screen_of(const WindowPlace& place) {
+    Screen best;
+    double most = -1.0;
+    for (const Screen& screen : screens()) {
+        const int wide = overlap(place.x, place.width, screen.free.x, screen.free.width),
+                  high = overlap(place.y, place.height, screen.free.y, screen.free.height);
+        const double shown = wide > 0 && high > 0 ? static_cast<double>(wide) * high : 0.0;
+        if (shown > most) {
+            most = shown;
+            best = screen;
+        }
+    }
+    return best;
+}
+
+// Returns the place if a screen shows it completely.
+std::optional<WindowPlace> shown_completely(const std::optional<WindowPlace>& place) {
+    if (!place) return {};
+    const std::vector<Screen> all = screens();
+    const bool shown = std::any_of(all.begin(), all.end(), [&](const Screen& screen) {
+        return place->x >= screen.free.x && place->y >= screen.free.y &&
+               place->x + place->width <= screen.free.x + screen.free.width &&
+               place->y + place->height <= screen.free.y + screen.free.height;
+    });
+    return shown ? place : std::nullopt;
+}
+
+WindowPlace whole_screen() {
+    const Screen screen = screen_of({});
+    return screen.monitor ? screen.free : WindowPlace{};
+}
 
 // Returns the character in UTF-8. Returns an empty text for a code beyond Unicode, which GLFW never reports.
 std::string utf8_of(unsigned int c) {
@@ -36,6 +97,10 @@ public:
         if (!system) return tl::unexpected(system.error());
         system_ = std::move(*system);
 
+        const std::optional<WindowPlace> wanted = shown_completely(options.place);
+        const WindowPlace place = wanted.value_or(whole_screen());
+        glfwWindowHint(GLFW_MAXIMIZED, wanted ? GLFW_FALSE : GLFW_TRUE);
+        glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -43,10 +108,12 @@ public:
         // Try EGL as well, because some displays provide OpenGL only through EGL.
         for (const int way : {GLFW_NATIVE_CONTEXT_API, GLFW_EGL_CONTEXT_API}) {
             glfwWindowHint(GLFW_CONTEXT_CREATION_API, way);
-            window_ = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+            window_ = glfwCreateWindow(place.width, place.height, "Handrail", nullptr, nullptr);
             if (window_) break;
         }
         if (!window_) return fail(phrase("window.no_opengl", {{"reason", glfw_problem()}}));
+        glfwSetWindowPos(window_, place.x, place.y);  // Wayland lets no program place its windows.
+        if (options.full_screen) fill_screen(true);
         glfwMakeContextCurrent(window_);
         glfwSwapInterval(0);
         auto renderer = Renderer::create();
@@ -88,6 +155,10 @@ public:
 
     unsigned number() const { return system_->number_of(window_); }
 
+    std::string place() const {
+        return system_->lost() || full_screen_ ? std::string{} : window_place_text(place_now());
+    }
+
     bool watch_keys(KeyWatchCalls calls) {
         watch_ = system_->watch_keys(window_, std::move(calls));
         return watch_ != nullptr;
@@ -107,10 +178,15 @@ public:
         // pictures.
         const double begin_s = glfwGetTime();
         if (begin_s < rest_until_s_) return;
+        if (view.display.full_screen != full_screen_) fill_screen(view.display.full_screen);
+        if (std::string title = view.texts.title.empty() ? "Handrail" : view.texts.title; title != title_) {
+            glfwSetWindowTitle(window_, title.c_str());
+            title_ = std::move(title);
+        }
         renderer_->draw(view, size);
         glfwSwapBuffers(window_);
         const double end_s = glfwGetTime();
-        rest_until_s_ = end_s + 2.0 * (end_s - begin_s);
+        rest_until_s_ = end_s + std::max(2.0 * (end_s - begin_s), view.display.reduced_motion ? kReducedMotion_s : 0.0);
         ++frames_in_size_;
         shown_ = view;
         shown_size_ = size;
@@ -124,6 +200,28 @@ public:
     }
 
 private:
+    // Lets the window fill the screen on which most of it is, or puts it back where it was.
+    void fill_screen(bool fill) {
+        full_screen_ = fill;
+        if (!fill) {
+            glfwSetWindowMonitor(window_, nullptr, windowed_.x, windowed_.y, windowed_.width, windowed_.height,
+                                 GLFW_DONT_CARE);
+            return;
+        }
+        windowed_ = place_now();
+        const Screen screen = screen_of(windowed_);
+        if (!screen.monitor) return;
+        if (const GLFWvidmode* mode = glfwGetVideoMode(screen.monitor))
+            glfwSetWindowMonitor(window_, screen.monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    }
+
+    WindowPlace place_now() const {
+        WindowPlace place;
+        glfwGetWindowPos(window_, &place.x, &place.y);
+        glfwGetWindowSize(window_, &place.width, &place.height);
+        return place;
+    }
+
     static Impl& self(GLFWwindow* window) { return *static_cast<Impl*>(glfwGetWindowUserPointer(window)); }
 
     PixelSize framebuffer_size() const {
@@ -230,10 +328,35 @@ private:
     std::optional<Vec2> cursor_;
     std::optional<core::ViewState> shown_;  // the view that the window shows; none if it must be drawn again
     PixelSize shown_size_;
+    std::string title_ = "Handrail";
+    bool full_screen_ = false;
+    WindowPlace windowed_;  // where the window was before it filled the screen
     int frames_in_size_ = 0;
     double rest_until_s_ = 0.0;  // no picture is drawn before this time on GLFW's clock
     bool loss_reported_ = false;
 };
+
+std::optional<WindowPlace> window_place(std::string_view text) {
+    WindowPlace place;
+    std::size_t at = 0;
+    const auto take = [&](int& number, char after) {
+        const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), number);
+        if (error != std::errc{}) return false;
+        at = static_cast<std::size_t>(end - text.data());
+        if (after == 0) return at == text.size();
+        return at < text.size() && text[at++] == after;
+    };
+    if (!take(place.width, 'x') || !take(place.height, '+') || !take(place.x, '+') || !take(place.y, 0)) return {};
+    constexpr int kMost = 1 << 20;
+    if (place.width < 1 || place.height < 1 ||
+        std::max({place.width, place.height, std::abs(place.x), std::abs(place.y)}) > kMost)
+        return {};
+    return place;
+}
+
+std::string window_place_text(const WindowPlace& place) {
+    return fmt::format("{}x{}+{}+{}", place.width, place.height, place.x, place.y);
+}
 
 Window::Window(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Window::~Window() = default;
@@ -250,6 +373,7 @@ bool Window::watch_keys(KeyWatchCalls calls) { return impl_->watch_keys(std::mov
 void Window::offer_keys(KeyReader reader, std::function<bool(const std::string&)> never_waits) {
     impl_->offer_keys(std::move(reader), std::move(never_waits));
 }
+std::string Window::place() const { return impl_->place(); }
 void Window::draw(const core::ViewState& view) { impl_->draw(view); }
 Picture Window::picture(const core::ViewState& view) { return impl_->picture(view); }
 

@@ -41,10 +41,20 @@ struct CloseRequest {};
 
 using WindowEvent = std::variant<KeyEvent, TextEvent, HandDragged, FocusChange, CloseRequest>;
 
+// The place of a window's content on the screens, in screen coordinates.
+struct WindowPlace {
+    int x = 0, y = 0, width = 960, height = 720;
+
+    bool operator==(const WindowPlace&) const = default;
+};
+// Reads a place such as "1280x720+100+50", as the setting display.place has it. Returns no value for any other text.
+std::optional<WindowPlace> window_place(std::string_view text);
+std::string window_place_text(const WindowPlace& place);
+
 struct WindowOptions {
-    std::string title = "Handrail";
-    int width = 960;  // width of the window's content, in screen coordinates
-    int height = 720;
+    // No value, or a place that no screen shows completely: the window is as large as the screen without its bars.
+    std::optional<WindowPlace> place = {};
+    bool full_screen = false;
 };
 
 class Window {
@@ -72,9 +82,14 @@ public:
     // Wayland, which has no such numbers.
     unsigned number() const;
 
-    // Shows the view. Call it once a frame. It never waits for the refresh of the screen, because the app thread also
-    // serves sound and hand. It costs nothing if neither view nor window has changed. If drawing is slow, the function
-    // skips pictures, so that drawing takes at most a third of the time. A later call then shows the newest view.
+    // Returns the place of the window for the setting display.place. The text is empty if the window fills the screen
+    // or the system does not tell the place.
+    std::string place() const;
+
+    // Shows the view with its title, and fills the screen if the view's settings say so. Call it once a frame. It never
+    // waits for the refresh of the screen, because the app thread also serves sound and hand. It costs nothing if
+    // neither view nor window has changed. If drawing is slow, the function skips pictures, so that drawing takes at
+    // most a third of the time. A later call then shows the newest view.
     void draw(const core::ViewState& view);
 
     // Returns a picture of the view as draw() would show it.

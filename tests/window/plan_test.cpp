@@ -102,7 +102,7 @@ constexpr PixelBox kBox{Vec2(0.0, 0.0), Vec2(800.0, 600.0)};
 
 TEST(LayOutPlan, fits_a_whole_house_with_north_up) {
     Aabb house{{0.0, 0.0, 0.0}, {20.0, 10.0, 3.0}};
-    const PlanLayout layout = lay_out_plan(house, {1.0, 1.0, 0.0}, 1.0, true, kBox);
+    const PlanLayout layout = lay_out_plan({house}, {1.0, 1.0, 0.0}, 1.0, true, kBox);
     EXPECT_NEAR(layout.pixels_per_m, 0.94 * 800.0 / 20.0, 1e-9);
     const Vec2 middle = layout.to_pixels(Vec2(10.0, 5.0));
     EXPECT_NEAR(middle.x, 400.0, 1e-9);
@@ -116,7 +116,7 @@ TEST(LayOutPlan, follows_the_walker_through_a_large_world_and_stays_inside_it) {
     const Vec2 half_m = 0.5 * Vec2(800.0, 600.0) / kPlanFinest_px_per_m;
     for (const Vec3& feet :
          {Vec3(250.0, 150.0, 0.0), Vec3(0.0, 0.0, 0.0), Vec3(499.0, 10.0, 0.0), Vec3(30.0, 299.0, 0.0)}) {
-        const PlanLayout layout = lay_out_plan(town, feet, 0.0, true, kBox);
+        const PlanLayout layout = lay_out_plan({town}, feet, 0.0, true, kBox);
         EXPECT_EQ(layout.pixels_per_m, kPlanFinest_px_per_m);
         const Vec2 at = layout.to_pixels(feet);
         EXPECT_TRUE(at.x >= 0.0 && at.x <= 800.0 && at.y >= 0.0 && at.y <= 600.0) << at.x << " " << at.y;
@@ -131,7 +131,7 @@ TEST(LayOutPlan, with_heading_up_shows_things_ahead_above_the_walker) {
     Aabb house{{0.0, 0.0, 0.0}, {20.0, 10.0, 3.0}};
     const Vec3 feet(4.0, 5.0, 0.0);
     for (const double heading_rad : {0.0, 0.7, 2.0, 4.0}) {
-        const PlanLayout layout = lay_out_plan(house, feet, heading_rad, false, kBox);
+        const PlanLayout layout = lay_out_plan({house}, feet, heading_rad, false, kBox);
         const Vec2 ahead = layout.to_pixels(feet + 2.0 * forward_of_heading(heading_rad));
         const Vec2 right = layout.to_pixels(feet + 2.0 * right_of_heading(heading_rad));
         EXPECT_NEAR(ahead.x, 400.0, 1e-9);

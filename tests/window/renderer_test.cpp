@@ -7,6 +7,7 @@
 
 #include "app/window/draw_mesh.h"
 #include "app/window/large_text.h"
+#include "app/window/palette.h"
 #include "app/window/plan.h"
 #include "tests/support/map_text.h"
 #include "tests/support/names.h"
@@ -21,12 +22,18 @@ namespace handrail::test {
 namespace renderer_test {
 
 constexpr PixelSize kSize{960, 720};
-// Height of the picture: the window's 720 pixels minus two text lines of 60, and margins of 10 above and below these
-// lines.
-constexpr double kPictureHeight_px = 580.0;
-constexpr double kBandTop_px = kPictureHeight_px;
+// Height of the picture: the window's 720 pixels minus two lines of 60 for the newest message, four of 30 for older
+// ones, two of 30 for the status, and four gaps of 4.
+constexpr double kPictureHeight_px = 404.0;
+constexpr double kMiddle_px = 0.5 * kPictureHeight_px;
+constexpr double kStatusTop_px = kPictureHeight_px, kMessagesTop_px = 476.0;
+// The plan of the small room, which is 4.4 m deep with its walls, fills 0.94 of the height of the picture.
+constexpr double kPlanScale_px_per_m = 0.94 * kPictureHeight_px / 4.4;
 
-using Rgb = std::array<std::uint8_t, 3>;
+// Returns the pixel of a place on the plan of the small room, whose middle is in the middle of the picture.
+Vec2 plan_px(double x_m, double y_m) {
+    return {480.0 + kPlanScale_px_per_m * (x_m - 3.0), kMiddle_px - kPlanScale_px_per_m * (y_m - 2.0)};
+}
 
 bool red(const Rgb& c) { return c[0] > 140 && c[1] < 60 && c[2] < 60; }
 bool green(const Rgb& c) { return c[1] > 140 && c[0] < 60 && c[2] < 90; }
@@ -253,7 +260,7 @@ TEST_F(RendererTest, moved_objects_are_drawn_at_their_new_place_in_the_plan_too)
     for (const bool plan : {false, true}) {
         const Vec3 here(4.0, 4.0, 0.375), there(5.2, 3.1, 0.875);
         ViewState view = view_in(hall_with_crate(here, 0.0), 4.0, 1.0, 0.0);
-        view.plan_view = plan;
+        view.pictures = plan ? Pictures::Plan : Pictures::FirstPerson;
         const Picture stands = draw(view);
         Placement to = view.scene->placed.at(0).at;
         to.position_m = there;
@@ -261,7 +268,7 @@ TEST_F(RendererTest, moved_objects_are_drawn_at_their_new_place_in_the_plan_too)
         view.moved = {{0, to}};
         const Picture moved = draw(view);
         ViewState other = view_in(hall_with_crate(there, 0.7), 4.0, 1.0, 0.0);
-        other.plan_view = plan;
+        other.pictures = view.pictures;
         const Picture stood_there = draw(other);
         const auto differing = [](const Picture& a, const Picture& b) {
             int pixels = 0;
@@ -276,19 +283,19 @@ TEST_F(RendererTest, moved_objects_are_drawn_at_their_new_place_in_the_plan_too)
 
 TEST_F(RendererTest, tilting_up_brings_the_ceiling_to_the_middle) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
-    const double ahead = luminance(at(draw(view), {480.5, 290.5}));
+    const double ahead = luminance(at(draw(view), {480.5, kMiddle_px}));
     view.tilt_rad = radians_from_degrees(60.0);
-    EXPECT_NEAR(luminance(at(draw(view), {480.5, 290.5})), 0.36 * 255.0, 3.0);
+    EXPECT_NEAR(luminance(at(draw(view), {480.5, kMiddle_px})), 0.36 * 255.0, 3.0);
     EXPECT_GT(ahead, 150.0);
 }
 
 TEST_F(RendererTest, a_new_scene_replaces_the_old_one) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
-    const double wall = luminance(at(draw(view), {480.5, 290.5}));
+    const double wall = luminance(at(draw(view), {480.5, kMiddle_px}));
     auto with_screen = std::make_shared<Scene>(*view.scene);
     add_box(*with_screen, {2.0, 2.0, 0.0}, {5.0, 2.1, 2.4}, FeatureKind::Door, SolidRole::Mover);
     view.scene = with_screen;
-    EXPECT_GT(std::abs(luminance(at(draw(view), {480.5, 290.5})) - wall), 20.0);
+    EXPECT_GT(std::abs(luminance(at(draw(view), {480.5, kMiddle_px})) - wall), 20.0);
 }
 
 // Returns the first and the last row below `top_px` that contain a white pixel.
@@ -304,26 +311,30 @@ std::pair<int, int> text_rows(const Picture& picture, double top_px) {
     return {first, last};
 }
 
-TEST_F(RendererTest, the_last_spoken_line_is_on_black_in_letters_of_a_twelfth_of_the_window) {
+TEST_F(RendererTest, the_newest_message_is_on_black_in_letters_of_a_twelfth_of_the_window) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
     const Picture silent = draw(view);
-    EXPECT_EQ(count(silent, black, kBandTop_px, kSize.height).count, kSize.width * 140);
-    view.last_spoken = "High wall";
-    const auto [first, last] = text_rows(draw(view), kBandTop_px);
+    EXPECT_EQ(count(silent, black, kMessagesTop_px, kSize.height).count, kSize.width * (720 - 476));
+    view.texts.messages = {"High wall"};
+    const auto [first, last] = text_rows(draw(view), kMessagesTop_px);
     ASSERT_GE(first, 0);
     // The white rows reach from the top of H to the bottom of g. In DejaVu Sans, capital height and descender are 0.73
     // + 0.24, and a line is 1.16 high.
     EXPECT_GT(last - first, 0.75 * kTextLinePart * kSize.height);
     EXPECT_LT(last - first, 1.0 * kTextLinePart * kSize.height);
+    view.display.text_size = 1.5;
+    const WindowLayout large = lay_out_window(kSize, view.pictures, 1.5);
+    const auto [top, bottom] = text_rows(draw(view), large.messages.min_px.y);
+    EXPECT_GT(bottom - top, 1.3 * (last - first));
 }
 
 TEST_F(RendererTest, different_texts_look_different_even_with_accents_and_other_scripts) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
     std::vector<Picture> pictures;
     for (const char* text : {"u", "ü", "é", "ł", "ж", "?", "\xEF\xBF\xBD"}) {
-        view.last_spoken = text;
+        view.texts.messages = {text};
         pictures.push_back(draw(view));
-        EXPECT_GT(count(pictures.back(), white, kBandTop_px, kSize.height).count, 30) << text;
+        EXPECT_GT(count(pictures.back(), white, kMessagesTop_px, kSize.height).count, 30) << text;
     }
     for (std::size_t i = 0; i < pictures.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
@@ -332,38 +343,33 @@ TEST_F(RendererTest, different_texts_look_different_even_with_accents_and_other_
         }
 }
 
-TEST_F(RendererTest, a_long_line_wraps_and_a_very_long_one_leaves_a_quarter_of_the_picture_free) {
+TEST_F(RendererTest, no_message_of_any_length_covers_the_picture) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
-    const auto band_top = [&](int words) {
-        view.last_spoken.clear();
-        for (int i = 0; i < words; ++i) view.last_spoken += "corridor ";
-        return text_rows(draw(view), 0.25 * kSize.height).first;
+    const auto top_part = [&](const Picture& picture) {
+        return std::vector<std::uint8_t>(picture.rgb.begin(),
+                                         picture.rgb.begin() + 3 * kSize.width * static_cast<int>(kPictureHeight_px));
     };
-    // Outlines of the room are white, too. So count the rows that are black at both sides of the picture.
-    const auto black_rows = [&](int words) {
-        band_top(words);
-        int rows = 0;
-        for (int y = 0; y < kSize.height; ++y) rows += black(last_.at(2, y)) && black(last_.at(kSize.width - 3, y));
-        return rows;
-    };
-    EXPECT_EQ(black_rows(2), 140);
-    const int four_lines = black_rows(10);
-    EXPECT_GT(four_lines, 140);
-    EXPECT_LT(four_lines, 6 * 60);
-    EXPECT_EQ(black_rows(300), 9 * 60 + 20);
+    const auto before = top_part(draw(view));
+    for (const int words : {1, 10, 40, 300}) {
+        std::string text;
+        for (int i = 0; i < words; ++i) text += "corridor ";
+        view.texts.messages.assign(5, text);
+        view.texts.hand = view.texts.task = text;
+        EXPECT_TRUE(top_part(draw(view)) == before) << words;
+    }
 }
 
 TEST_F(RendererTest, a_window_of_a_few_pixels_causes_no_crash) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
-    view.last_spoken = "Wall, plaster.";
+    view.texts.messages = {"Wall, plaster."};
     for (const PixelSize size : {PixelSize{1, 1}, PixelSize{3, 200}, PixelSize{200, 3}, PixelSize{0, 10}})
         for (const bool plan : {false, true}) {
-            view.plan_view = plan;
+            view.pictures = plan ? Pictures::Plan : Pictures::Both;
             renderer_->draw(view, size);
             renderer_->draw(two_rooms_on_the_plan(), size);
         }
-    view.plan_view = false;
-    EXPECT_GT(luminance(at(draw(view), {480.5, 290.5})), 100.0);
+    view.pictures = Pictures::FirstPerson;
+    EXPECT_GT(luminance(at(draw(view), {480.5, kMiddle_px})), 100.0);
 }
 
 // ---- lists and questions ----
@@ -430,7 +436,7 @@ TEST_F(RendererTest, a_long_list_follows_its_chosen_item_and_shows_on_which_side
         ASSERT_GE(first, 0) << at;
         EXPECT_EQ(last - first + 1, static_cast<int>(kTextLinePart * kSize.height)) << at;
         EXPECT_EQ(arrow(picture, 100, 160) > 100, at > 10) << at;
-        EXPECT_EQ(arrow(picture, 450, 580) > 100, at < 30) << at;
+        EXPECT_EQ(arrow(picture, 280, 404) > 100, at < 30) << at;
     }
     const Picture twenty = draw(with_list(40, 19));
     EXPECT_NE(twenty.rgb, draw(with_list(40, 20)).rgb) << "the items and the place are other ones";
@@ -473,12 +479,14 @@ TEST_F(RendererTest, a_question_shows_the_typed_text_with_a_cursor_bar) {
     EXPECT_NE(without.rgb, last_.rgb) << "of a long line the end is in sight";
 }
 
-TEST_F(RendererTest, the_spoken_line_stays_below_an_open_list_at_any_length) {
+TEST_F(RendererTest, messages_stay_below_an_open_list_at_any_length) {
     ViewState view = with_list(3, 2);
     const auto before = bar_rows(draw(view));
-    for (int i = 0; i < 100; ++i) view.last_spoken += "corridor ";
+    std::string text;
+    for (int i = 0; i < 100; ++i) text += "corridor ";
+    view.texts.messages = {text};
     EXPECT_EQ(bar_rows(draw(view)), before);
-    EXPECT_GT(count(last_, white, kBandTop_px, kSize.height).count, 1000);
+    EXPECT_GT(count(last_, white, kMessagesTop_px, kSize.height).count, 1000);
 }
 
 TEST_F(RendererTest, lists_in_a_window_of_a_few_pixels_cause_no_crash) {
@@ -515,11 +523,10 @@ TEST(ListWindow, shows_the_chosen_item_and_as_many_others_as_fit) {
 
 TEST_F(RendererTest, the_plan_shows_an_arrow_that_turns_with_the_heading) {
     ViewState view = view_in(small_room(), 3.0, 2.0, 0.0);
-    view.plan_view = true;
+    view.pictures = Pictures::Plan;
     view.feet_m = view.eyes_m = {3.0, 2.0, 0.0};
-    // The room measures 6.4 by 4.4 m with its walls. The feet are in the middle of the room, which is in the middle of
-    // the picture.
-    const Vec2 feet_px(480.0, 290.0);
+    // The feet are in the middle of the room, which is in the middle of the picture.
+    const Vec2 feet_px = plan_px(3.0, 2.0);
     const auto tip = [&](double heading_degrees) {
         view.heading_rad = radians_from_degrees(heading_degrees);
         const Picture picture = draw(view);
@@ -548,14 +555,12 @@ TEST_F(RendererTest, the_plan_shows_an_arrow_that_turns_with_the_heading) {
 
 TEST_F(RendererTest, the_plan_shows_solid_walls_open_doors_and_the_walked_trail) {
     ViewState view = view_in(small_room(), 3.0, 2.0, 0.0);
-    view.plan_view = true;
+    view.pictures = Pictures::Plan;
     const Picture before = draw(view);
-    // With its 4.4 m, the room could fill 0.94 * 580 px, but the scale is limited to 100 px per metre.
-    const auto px = [](double x_m, double y_m) {
-        return Vec2(480.0 + 100.0 * (x_m - 3.0), 290.0 - 100.0 * (y_m - 2.0));
-    };
-    EXPECT_NEAR(luminance(at(before, px(3.0, 4.1))), 200.0, 2.0);
-    EXPECT_NEAR(luminance(at(before, px(4.0, 3.0))), luminance({34, 42, 66}), 2.0) << "floor";
+    const auto px = plan_px;
+    const Palette& palette = palette_of(settings::ColourSet::Dark);
+    EXPECT_NEAR(luminance(at(before, px(3.0, 4.1))), luminance(palette.wall), 2.0);
+    EXPECT_NEAR(luminance(at(before, px(4.0, 3.0))), luminance(palette.inside), 2.0) << "floor";
     EXPECT_TRUE(black(at(before, px(7.0, 2.0)))) << "outside";
     EXPECT_TRUE(black(at(before, px(5.95, 1.6)))) << "a door is not filled";
     EXPECT_EQ(count(before, cyan).count, 0);
@@ -570,10 +575,7 @@ TEST_F(RendererTest, the_plan_shows_solid_walls_open_doors_and_the_walked_trail)
 TEST_F(RendererTest, the_plan_shows_outlines_and_names_of_rooms_and_highlights_the_current_one) {
     ViewState view = two_rooms_on_the_plan();
     const Picture with = draw(view);
-    // The scale is 100 px per metre, with the middle of the world in the middle of the picture.
-    const auto px = [](double x_m, double y_m) {
-        return Vec2(480.0 + 100.0 * (x_m - 3.0), 290.0 - 100.0 * (y_m - 2.0));
-    };
+    const auto px = plan_px;
     const auto whites_across = [&](const Picture& picture, double x_m, double y_m) {
         int whites = 0;
         const Vec2 line = px(x_m, y_m);
@@ -589,8 +591,8 @@ TEST_F(RendererTest, the_plan_shows_outlines_and_names_of_rooms_and_highlights_t
         EXPECT_GE(here, 5) << y_m;
         EXPECT_GE(beside, 1) << y_m;
         EXPECT_GT(here, 2 * beside) << "the room that one is in stands out";
-        EXPECT_TRUE(black(at(with, px(0.25, y_m) - Vec2(5.0, 0.0))) || black(at(with, px(0.25, y_m) + Vec2(5.0, 0.0))))
-            << "and is told from a pale floor";
+        EXPECT_TRUE(black(at(with, px(0.25, y_m) - Vec2(3.7, 0.0))) || black(at(with, px(0.25, y_m) + Vec2(3.7, 0.0))))
+            << "and has a dark border";
     }
     // The name of a room must be black on white in the current room, and white on black elsewhere. The letters are a
     // twentieth of the picture's height.
@@ -664,14 +666,14 @@ TEST_F(RendererTest, a_whole_map_is_drawn_without_holes_and_its_cost_reported) {
     view.scene = scene;
     view.feet_m = scene->starts.at(0).feet_m;
     view.eyes_m = view.feet_m + Vec3(0.0, 0.0, 1.6);
-    view.last_spoken = "The Slipgate Complex.";
+    view.texts.messages = {"The Slipgate Complex."};
     view.show_hand = true;
     const double first_s = seconds([&] { draw(view); });
     constexpr int kFrames = 16;
     double first_person_s = 0.0, plan_s = 0.0;
     for (const bool plan : {false, true})
         for (int i = 0; i < kFrames; ++i) {
-            view.plan_view = plan;
+            view.pictures = plan ? Pictures::Plan : Pictures::FirstPerson;
             view.heading_rad = scene->starts.at(0).heading_rad + i * 2.0 * kPi / kFrames;
             view.proxy_m = view.eyes_m + 0.5 * forward_of_heading(view.heading_rad);
             (plan ? plan_s : first_person_s) += seconds([&] { draw(view); });

@@ -72,17 +72,19 @@ ViewState view_in(std::shared_ptr<const Scene> scene, double x_m, double y_m, do
     view.feet_m = corner + Vec3(x_m, y_m, 0.0);
     view.eyes_m = view.feet_m + Vec3(0.0, 0.0, 1.6);
     view.heading_rad = radians_from_degrees(heading_degrees);
+    view.pictures = Pictures::FirstPerson;
     return view;
 }
 
 ViewState two_rooms_on_the_plan() {
     ViewState view = view_in(small_room(), 1.0, 3.6, 0.0);
-    view.plan_view = true;
+    view.pictures = Pictures::Plan;
     const auto room = [](const char* name, double x_m) {
         return DrawnRoom{
             name,
             {x_m + 1.5, 2.0, 0.0},
             12.0,
+            false,
             {0.0, 0.0, {{{x_m + 0.25, 0.25}, {x_m + 2.75, 0.25}, {x_m + 2.75, 3.75}, {x_m + 0.25, 3.75}}}}};
     };
     std::vector<DrawnRoom> rooms{room("Kitchen", 0.0), room("Hall", 3.0)};

@@ -5,8 +5,10 @@
 #include <X11/Xutil.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
 
+#include "app/window/window_layout.h"
 #include "tests/support/names.h"
 #include "tests/support/virtual_display.h"
 #include "tests/window/small_room.h"
@@ -261,7 +263,7 @@ TEST_F(WindowTest, a_key_watch_survives_the_end_of_the_display) {
 
 TEST_F(WindowTest, shows_the_drawn_picture_and_follows_its_size) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
-    view.last_spoken = "North wall, plaster.";
+    view.texts.messages = {"North wall, plaster."};
     view.show_hand = true;
     view.proxy_m = {3.6, 2.0, 1.4};
     Desktop desktop;
@@ -276,12 +278,12 @@ TEST_F(WindowTest, shows_the_drawn_picture_and_follows_its_size) {
     };
     EXPECT_TRUE(shown(view));
     const Picture first = desktop.what_stands_on_the_screen();
-    EXPECT_EQ(first.width, 960);
+    EXPECT_EQ(first.width, 1024) << "as wide as the screen";
     view.touching = true;
-    view.last_spoken = "East wall, brick.";
+    view.texts.messages = {"East wall, brick."};
     EXPECT_TRUE(shown(view));
     EXPECT_NE(desktop.what_stands_on_the_screen().rgb, first.rgb);
-    view.plan_view = true;
+    view.pictures = Pictures::Plan;
     EXPECT_TRUE(shown(view));
     const Picture plan = desktop.what_stands_on_the_screen();
     EXPECT_TRUE(shown(two_rooms_on_the_plan()));
@@ -291,9 +293,73 @@ TEST_F(WindowTest, shows_the_drawn_picture_and_follows_its_size) {
     EXPECT_EQ(desktop.what_stands_on_the_screen().width, 600);
 }
 
+TEST_F(WindowTest, has_the_title_of_the_view) {
+    ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
+    view.texts.title = "School, Routes – Handrail";
+    window_->draw(view);
+    EXPECT_TRUE(display_->xdotool("search --sync --onlyvisible --name '^School, Routes – Handrail$'"));
+}
+
+TEST_F(WindowTest, fills_the_screen_and_returns_to_where_it_was) {
+    ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
+    Desktop desktop;
+    ASSERT_TRUE(desktop.found());
+    EXPECT_EQ(window_->place(), "1024x768+0+0") << "without a wanted place, it is as large as the screen";
+    ASSERT_TRUE(display_->xdotool("search --onlyvisible --name '^Handrail$' windowsize 700 500 windowmove 30 40"));
+    const auto has_place = [&](const std::string& place) {
+        return wait_for([&] {
+            window_->draw(view);
+            return window_->place() == place;
+        });
+    };
+    EXPECT_TRUE(has_place("700x500+30+40")) << window_->place();
+    const auto has_width = [&](int width) {
+        return wait_for([&] {
+            window_->draw(view);
+            return window_->picture(view).width == width;
+        });
+    };
+    view.display.full_screen = true;
+    EXPECT_TRUE(has_width(1024));
+    EXPECT_EQ(window_->place(), "") << "a window that fills the screen has no place to remember";
+    view.display.full_screen = false;
+    EXPECT_TRUE(has_width(700));
+    EXPECT_TRUE(has_place("700x500+30+40")) << window_->place();
+    // It opens there again. A place that is not on the screen is ignored.
+    for (const auto& [wanted, place] :
+         {std::pair("700x500+30+40", "700x500+30+40"), std::pair("700x500+900+40", "1024x768+0+0")}) {
+        window_.reset();
+        auto opened = Window::open({.place = window_place(wanted)});
+        ASSERT_TRUE(opened) << opened.error().sentence();
+        window_ = std::move(*opened);
+        EXPECT_TRUE(has_place(place)) << window_->place();
+    }
+}
+
+TEST_F(WindowTest, changes_its_picture_at_most_twice_a_second_with_reduced_motion) {
+    ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
+    view.display.reduced_motion = true;
+    Desktop desktop;
+    ASSERT_TRUE(desktop.found());
+    const auto begin = std::chrono::steady_clock::now();
+    int pictures = 0;
+    Picture last;
+    // Draws until three different pictures were on the screen, which takes at least a second.
+    EXPECT_TRUE(wait_for([&] {
+        view.heading_rad += 0.01;
+        window_->draw(view);
+        if (Picture screen = desktop.what_stands_on_the_screen(); screen.rgb != last.rgb) {
+            last = std::move(screen);
+            ++pictures;
+        }
+        return pictures >= 4;
+    }));
+    EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
+}
+
 TEST_F(WindowTest, shows_an_open_list_in_black_and_white) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
-    view.last_spoken = "Menu. What you can do, 1 of 3";
+    view.texts.messages = {"Menu. What you can do, 1 of 3"};
     view.dialogue.kind = DialogueView::Kind::List;
     view.dialogue.title = "Menu";
     view.dialogue.items = {{"What you can do", "", false}, {"Worlds", "", false}, {"Settings", "", false}};
@@ -311,15 +377,17 @@ TEST_F(WindowTest, shows_an_open_list_in_black_and_white) {
     const Picture first = screen;
     // To the right of the text, the bar of the chosen item must be as high as a line of text.
     int bar = 0;
-    for (int y = 95; y < 580; ++y) bar += screen.at(850, y)[0] > 250;
-    EXPECT_EQ(bar, 60);
+    const WindowLayout layout = lay_out_window({screen.width, screen.height}, view.pictures, 1.0);
+    const int bottom = static_cast<int>(layout.pictures.max_px.y);
+    for (int y = 95; y < bottom; ++y) bar += screen.at(850, y)[0] > 250;
+    EXPECT_EQ(bar, static_cast<int>(layout.line_px));
     view.dialogue.at = 1;
     EXPECT_TRUE(shown());
     EXPECT_NE(screen.rgb, first.rgb);
     view.dialogue = {};
     EXPECT_TRUE(shown());
     bool grey = false;  // true if the room is visible again
-    for (int y = 95; y < 580; ++y) grey |= screen.at(850, y)[0] > 40 && screen.at(850, y)[0] < 215;
+    for (int y = 95; y < bottom; ++y) grey |= screen.at(850, y)[0] > 40 && screen.at(850, y)[0] < 215;
     EXPECT_TRUE(grey);
 }
 

@@ -24,6 +24,7 @@ void Cues::say(std::string text, cues::SpeechClass speech_class, double now_s) {
 void Cues::announce(cues::SpeechTopic topic, std::string text, double now_s, const AnnounceOptions& how) {
     const bool guidance = !how.answers && (topic == cues::SpeechTopic::Place || topic == cues::SpeechTopic::Arrival ||
                                            topic == cues::SpeechTopic::Leg);
+    if (topic == cues::SpeechTopic::Leg) last_leg_ = text;
     cues::CueRequest request;
     request.kind = cues::CueRequestKind::Say;
     request.time_s = now_s;

@@ -42,10 +42,14 @@ public:
     void cue(cues::CueRequest request) { waiting.push_back(std::move(request)); }
     std::vector<cues::CueRequest> take() { return std::exchange(waiting, {}); }
 
+    // Returns the last leg of a route that was announced.
+    const std::string& last_leg() const { return last_leg_; }
+
     std::vector<cues::CueRequest> waiting;  // requests that the owner has not removed yet
 
 private:
     const WalkerState& avatar_;
+    std::string last_leg_;
 };
 
 }  // namespace handrail::core

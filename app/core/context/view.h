@@ -4,10 +4,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/core/context/workspace_scale.h"
 #include "app/core/dialogue/dialogue.h"
+#include "settings/settings.h"
 #include "worlds/base/vec.h"
 #include "worlds/navigation/room_outlines.h"
 #include "worlds/scene/scene.h"
@@ -19,6 +22,7 @@ struct DrawnRoom {
     std::string name;  // name as it is spoken
     Vec3 middle_m{0.0};
     double area_m2 = 0.0;
+    bool outside = false;
     navigation::RoomOutline outline;
 };
 
@@ -28,6 +32,37 @@ struct MovedThing {
     Placement at;
 
     bool operator==(const MovedThing&) const = default;
+};
+
+// Which pictures the window shows; the command PlanView switches to the next one.
+enum class Pictures : std::uint8_t { Both, Plan, FirstPerson };
+
+// A place with a name on the plan: a mark of the person, or the place where the beacon sounds.
+struct DrawnPlace {
+    std::string name;
+    Vec3 place_m{0.0};
+
+    bool operator==(const DrawnPlace&) const = default;
+};
+
+// How many of the last announcements the window shows.
+inline constexpr std::size_t kShownMessages = 5;
+
+struct ShownTexts {
+    std::string title;                  // title of the window: the world, the lesson and the program
+    std::vector<std::string> messages;  // the last announcements, the oldest first; at most kShownMessages
+    std::string hand;                   // what the hand touches, the force, and the state of the device
+    std::string task;                   // what a lesson asks for, and the next leg of the route; may be empty
+
+    bool operator==(const ShownTexts&) const = default;
+};
+
+struct ShownGuidance {
+    std::vector<Vec3> route_m;         // the planned route that the walker follows; empty: none
+    std::optional<DrawnPlace> beacon;  // where the beacon sounds
+    std::vector<DrawnPlace> marks;
+
+    bool operator==(const ShownGuidance&) const = default;
 };
 
 struct ViewState {
@@ -40,16 +75,23 @@ struct ViewState {
     bool show_hand = false;  // true: there is a device or a simulated hand
     Vec3 proxy_m{0.0};
     double proxy_radius_m = 0.005;
-    bool touching = false;   // true: the proxy is drawn red, otherwise green
-    bool plan_view = false;  // true: the plan is shown; F3 switches it
+    bool touching = false;  // true: the proxy has another colour and a ring
+    Vec3 force_n{0.0};      // force on the hand, in world axes
+    Pictures pictures = Pictures::Both;
+    // How much of the world the plan shows; no value: the whole world, or the part around the walker if it is large.
+    std::optional<NamedScale> plan_scale;
     bool forces_on = true;
     bool north_up = true;  // true in the Map frame
     std::shared_ptr<const std::vector<DrawnRoom>>
-        rooms;  // rooms in the order of the room graph; null: not known, or no plan is shown
+        rooms;                  // rooms in the order of the room graph; null: not known, or no plan is shown
+    std::vector<bool> visited;  // for each of `rooms`: true if the walker has been there
     std::uint32_t room = navigation::kNothing;  // index of the walker's room in `rooms`
-    std::string last_spoken;                    // the last announcement, which the window shows as large text
-    std::vector<Vec3> path_m;                   // path that the walker has walked, oldest position first
-    DialogueView dialogue;                      // the list or question that is open
+    ShownTexts texts;
+    std::vector<Vec3> path_m;       // path that the walker has walked, oldest position first
+    std::vector<Vec3> hand_path_m;  // the last positions of the proxy, oldest first
+    ShownGuidance guidance;
+    DialogueView dialogue;  // the list or question that is open
+    settings::Settings::Display display;
 
     bool operator==(const ViewState&) const = default;
 };

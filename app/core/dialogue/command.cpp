@@ -86,6 +86,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::KeptRoutes, "ways", "Control+7", false},
     CommandInfo{Command::KeepRoute, "keep-way", "Control+8", false},
     CommandInfo{Command::PlanView, "plan", "F3", false},
+    CommandInfo{Command::FullScreen, "full-screen", "Control+F11", false},
     // The following commands concern help and settings.
     CommandInfo{Command::Menu, "menu", "Tab", false},
     CommandInfo{Command::Help, "help", "F1", false},

@@ -85,7 +85,8 @@ enum class Command : std::uint8_t {
     NameRoom,    // the person types a name for the present room
     KeptRoutes,  // opens a list of the saved routes
     KeepRoute,   // saves the route planned or walked last under a name
-    PlanView,
+    PlanView,    // chooses which pictures the window shows
+    FullScreen,  // makes the window fill the screen, or not
     // The following commands concern help and settings.
     Menu,  // opens a list of everything that can be done
     Help,

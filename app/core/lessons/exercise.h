@@ -30,6 +30,9 @@ public:
     // Carries out the commands Task, TaskDone and Learners. Returns false for other commands.
     bool act(Command command, double now_s);
     bool under_way() const { return under_way_; }
+    const std::string& title() const { return title_; }  // returns the title of the lesson
+    // Returns the present task of the lesson that is under way; empty: none.
+    std::string task() const { return under_way_ ? task_ : std::string{}; }
 
     // The session sets this function. It opens the list in which an instructor prepares a lesson.
     std::function<void(double now_s)> on_prepare;

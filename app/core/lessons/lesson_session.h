@@ -39,6 +39,8 @@ public:
     // Processes a line typed in a terminal, without surrounding blanks, while the first step waits for a key. Returns
     // false if the lesson did not use the line.
     bool take_line(std::string_view line, double now_s);
+    // Returns the instruction of the present step; empty: no lesson is under way.
+    std::string instruction() const { return run_ ? run_->instruction() : std::string{}; }
     // Notes a command or a bump for the next tick.
     void note(Command command) { did_.push_back(command); }
     void note_bump(FeatureId feature) { bumped_.push_back(feature); }

@@ -42,6 +42,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     settled_.give_up();
     keep_learnt(now_s);
     state_.avatar.walker.reset();
+    shown_.hand_path.clear();
     // A background task destroys the data of the previous world, because that is slow.
     std::shared_ptr<RoomsOfWorld> rooms_left = where_.rooms.enter_world(std::move(world.file), std::move(world.ways));
     auto left = std::make_shared<
@@ -375,29 +376,6 @@ HandOutput Session::hand(std::size_t which) const {
 
 cues::Listener Session::listener() const {
     return {state_.avatar.ears_m(), state_.avatar.heading_rad, soundscape_.reverberation_s()};
-}
-
-ViewState Session::view(const servo::ToolState& tool, const std::string& last_spoken) const {
-    const Arrivals::Turn looks(state_.context.arrivals, true);
-    ViewState view;
-    view.scene = state_.world.scene;
-    view.moved = bodies_.moved();
-    view.feet_m = feet_m();
-    view.eyes_m = view.feet_m + Vec3(0.0, 0.0, state_.avatar.walker->size().eye_height_m);
-    view.heading_rad = state_.avatar.heading_rad;
-    view.tilt_rad = walk_.walking.tilt_rad();
-    view.show_hand = state_.hands.right.present;
-    view.proxy_m = tool.proxy_m;
-    view.proxy_radius_m = tool.proxy_radius_m;
-    view.touching = tool.touches() || tool.holds != render::kNoBody;
-    view.plan_view = plan_view_;
-    view.forces_on = state_.hands.tuning.forces_on && state_.hands.tuning.focused && !state_.hands.tuning.panic;
-    view.north_up = state_.person.settings.workspace.frame == settings::FrameChoice::Map;
-    view.last_spoken = last_spoken;
-    view.path_m = walk_.walking.path_m();
-    if (plan_view_) view.rooms = where_.rooms.drawing(), view.room = where_.rooms.here();
-    view.dialogue = state_.lists.dialogue.view();
-    return view;
 }
 
 }  // namespace handrail::core

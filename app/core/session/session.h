@@ -23,6 +23,7 @@
 #include "app/core/menu/menu.h"
 #include "app/core/menu/simplified_list.h"
 #include "app/core/session/hand_output.h"
+#include "app/core/session/hand_path.h"
 #include "app/core/session/lesson_view.h"
 #include "app/core/session/session_features.h"
 #include "app/core/session/session_input.h"
@@ -111,7 +112,8 @@ public:
         return std::exchange(state_.person.changes, {});
     }
     const settings::Settings& settings() const { return state_.person.settings; }
-    ViewState view(const servo::ToolState& tool, const std::string& last_spoken) const;
+    // Returns what the window shows now. The first call after the rooms were found computes their outlines.
+    ViewState view(const servo::ToolState& tool);
     const KeyMap& keys() const { return state_.person.keys; }
     // Returns true if nothing is pending: no steps, no turn, no held key, no answer.
     bool idle() const;
@@ -183,7 +185,8 @@ private:
     void settle();
     void take_settled();
     void report_changes(double now_s);
-    bool anything_moves() const;  // returns true if things move that will come to rest without further input
+    std::string task_words() const;  // session_view.cpp defines this function
+    bool anything_moves() const;     // returns true if things move that will come to rest without further input
     // The following functions are for additions by the person. session_additions.cpp defines them.
     void take_additions();
     void announce_additions(double now_s);
@@ -223,7 +226,11 @@ private:
         std::optional<LastPlace> last_place;
     };
     Given given_;
-    bool plan_view_ = false;
+    struct Shown {
+        Pictures pictures = Pictures::Both;
+        HandPath hand_path;
+    };
+    Shown shown_;  // what only the window needs
     struct Watched {
         std::vector<InputListener> inputs;
         bool leads = false, list_open = false;  // the values that the events Leading and ListShown reported last

@@ -113,6 +113,7 @@ struct Session::Carriers {
         Row{Command::KeptRoutes, {}, {ways}},
         Row{Command::KeepRoute, {}, {ways}},
         Row{Command::PlanView, {}, {itself}},
+        Row{Command::FullScreen, {}, {itself}},
         Row{Command::Menu, {}, {menu}},
         Row{Command::Help, {}, {menu}},
         Row{Command::InputHelp, {}, {menu}},
@@ -211,10 +212,20 @@ bool Session::act_itself(Command command, double now_s) {
             offer_last_place(now_s);
             break;
         case Command::PlanView:
-            plan_view_ = !plan_view_;
-            where_.rooms.show_plan(plan_view_);
-            answer(phrase(plan_view_ ? "session.plan" : "session.first_person"), now_s);
+            shown_.pictures = shown_.pictures == Pictures::Both   ? Pictures::Plan
+                              : shown_.pictures == Pictures::Plan ? Pictures::FirstPerson
+                                                                  : Pictures::Both;
+            answer(phrase(shown_.pictures == Pictures::Both   ? "session.both_pictures"
+                          : shown_.pictures == Pictures::Plan ? "session.plan"
+                                                              : "session.first_person"),
+                   now_s);
             break;
+        case Command::FullScreen: {
+            const bool full = !state_.person.settings.display.full_screen;
+            state_.context.set("display.full_screen", full ? "true" : "false", now_s);
+            answer(phrase(full ? "session.full_screen" : "session.no_full_screen"), now_s);
+            break;
+        }
         case Command::NextSound:
             cue(dictionary_.step(1, listener(), now_s));
             break;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/core/context/context_words.h"
+#include "app/core/whereabouts/drawn_rooms.h"
 #include "app/core/whereabouts/exit_words.h"
 #include "app/core/whereabouts/storeys.h"
 #include "worlds/base/language.h"
@@ -131,7 +132,6 @@ void Rooms::notice(double now_s, bool quietly) {
             context_.say(std::move(sentence), cues::SpeechClass::Ambient, now_s);
         quietly = true;
     }
-    if (drawn_) draw();
     const std::uint32_t now_in = navigation::room_at(graph, navigation().space(), context_.avatar.feet_m());
     if (now_in == navigation::kNothing || now_in == here_) return;
     here_ = now_in;
@@ -162,17 +162,14 @@ std::string Rooms::storey_news(bool announced) {
     return first || !announced ? std::string() : storey_sentence(*file_scene(), storeys, now_on) + " ";
 }
 
-// Makes the rooms for the plan on the display: once, and again after a name has changed.
-void Rooms::draw() {
+const std::shared_ptr<const std::vector<DrawnRoom>>& Rooms::drawing() {
+    if (!found()) return drawing_;
     const navigation::RoomGraph& graph = of_world_->graph();
-    if (drawing_ && drawn_language_ == graph.language) return;
+    if (drawing_ && drawn_language_ == graph.language) return drawing_;
     drawn_language_ = graph.language;
-    std::vector<navigation::RoomOutline> outlines = navigation::room_outlines(graph, navigation().space());
-    std::vector<DrawnRoom> drawn;
-    for (std::size_t r = 0; r < outlines.size(); ++r)
-        drawn.push_back({sentence_case(graph.rooms[r].name), graph.rooms[r].middle_m, graph.rooms[r].area_m2,
-                         std::move(outlines[r])});
-    drawing_ = std::make_shared<const std::vector<DrawnRoom>>(std::move(drawn));
+    drawing_ = std::make_shared<const std::vector<DrawnRoom>>(
+        drawn_rooms(graph, navigation().space(), *file_scene(), *context_.world.solids));
+    return drawing_;
 }
 
 void Rooms::announce_exits(bool unvisited_only, double now_s) {

@@ -63,9 +63,11 @@ public:
     // Reads the names again. Call it when another session has changed them in the side file.
     void take_names_again();
 
-    // Makes rooms for the plan on the display while it is shown.
-    void show_plan(bool shown) { drawn_ = shown; }
-    const std::shared_ptr<const std::vector<DrawnRoom>>& drawing() const { return drawing_; }
+    // Returns the rooms for the plan in the window; null: not known yet. Computes them in the first call, and again
+    // after a name or the language has changed.
+    const std::shared_ptr<const std::vector<DrawnRoom>>& drawing();
+    // For each room: true if the walker has been there since the world was entered.
+    const std::vector<bool>& visited() const { return visited_; }
 
     // The session sets these functions, for features that store things by room. `on_renamed` is called when a room was
     // renamed, with names as in files. An empty name means that the room had or has no stored name.
@@ -75,13 +77,12 @@ public:
 private:
     void know_leaves();
     void announce_that_it_takes_long(double now_s);
-    void draw();
     std::string storey_news(bool announced);
     void announce_exits(bool unvisited_only, double now_s);
     void lay_given_names(double now_s);
     void give_name(std::uint32_t room, const std::string& typed, double now_s);
 
-    bool looked_for_ = false, announced_ = false, drawn_ = false, refused_ = false;
+    bool looked_for_ = false, announced_ = false, refused_ = false;
     std::shared_ptr<RoomsOfWorld> of_world_;
     // Set at the first tick in this world. It has no value before the search has begun and after the search has ended.
     std::optional<Patience> patience_;

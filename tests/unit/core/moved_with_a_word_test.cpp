@@ -111,9 +111,8 @@ TEST(Trailing, waits_at_stairs_until_it_is_requested_again) {
 TEST(Trailing, never_turns_or_climbs_without_an_announcement_in_the_house) {
     Body s("house.map");
     s.request(Command::Exits);
-    s.request(Command::PlanView);
     s.run(0.1);
-    const auto rooms = s.app.view({}, {}).rooms;
+    const auto rooms = s.app.view({}).rooms;
     ASSERT_TRUE(rooms);
     for (const DrawnRoom& room : *rooms) {
         s.app.apply(Placed{room.middle_m, 0.0}, s.now);

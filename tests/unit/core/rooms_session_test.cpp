@@ -231,23 +231,23 @@ TEST(RoomsInASession, are_drawn_on_the_plan_under_their_current_names_and_cost_n
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     s.request(Command::Exits);
     s.run(0.1);
-    EXPECT_FALSE(s.app.view({}, "").rooms);
-    s.request(Command::PlanView);
-    s.run(0.1);
-    const ViewState plan = s.app.view({}, "");
+    const ViewState plan = s.app.view({});
     ASSERT_TRUE(plan.rooms);
     ASSERT_LT(plan.room, plan.rooms->size());
     EXPECT_EQ((*plan.rooms)[plan.room].name, "Hall");
     EXPECT_FALSE((*plan.rooms)[plan.room].outline.loops_m.empty());
     s.run(0.5);
-    EXPECT_EQ(s.app.view({}, "").rooms, plan.rooms) << "made once";
+    EXPECT_EQ(s.app.view({}).rooms, plan.rooms) << "made once";
     s.request(Command::NameRoom);
     s.app.apply(LineTyped{"Vestibule"}, s.now);
     s.run(0.1);
-    EXPECT_EQ((*s.app.view({}, "").rooms)[plan.room].name, "Vestibule");
-    s.request(Command::PlanView);
-    s.run(0.1);
-    EXPECT_FALSE(s.app.view({}, "").rooms);
+    EXPECT_EQ((*s.app.view({}).rooms)[plan.room].name, "Vestibule");
+    EXPECT_EQ(s.request(Command::PlanView), "Plan view");
+    EXPECT_TRUE(s.app.view({}).rooms);
+    EXPECT_EQ(s.request(Command::PlanView), "First-person view");
+    EXPECT_FALSE(s.app.view({}).rooms);
+    EXPECT_EQ(s.request(Command::PlanView), "First-person view and plan");
+    EXPECT_TRUE(s.app.view({}).rooms);
 }
 
 TEST(RoomsKept, equal_newly_found_rooms_and_belong_to_their_session) {

@@ -1,0 +1,79 @@
+// The part of Session for the window: it collects everything that a picture of the present moment shows. Use it on the
+// app thread only.
+#include "app/core/session/session.h"
+#include "audio-cues/plan/cue_planner.h"
+#include "worlds/base/language.h"
+
+namespace handrail::core {
+namespace {
+
+// Returns what the hand touches, the force on the hand, and why there is no force if there is none.
+std::string touch_words(const SessionState& state, const servo::ToolState& tool, bool forces_on) {
+    constexpr int kNameAndMaterial = 2;
+    std::string what = phrase("window.free");
+    if (tool.touches())
+        if (std::string name = cues::describe_feature(*state.world.scene, tool.touched(), kNameAndMaterial);
+            !name.empty())
+            what = std::move(name);
+    return phrase("window.hand", {{"what", what},
+                                  {"newtons", glm::length(tool.force_n)},
+                                  {"simulated", state.hands.right.simulated ? "yes" : "no"},
+                                  {"forces", forces_on && tool.fault == servo::Fault::None ? "on" : "off"}});
+}
+
+}  // namespace
+
+ViewState Session::view(const servo::ToolState& tool) {
+    const Arrivals::Turn looks(state_.context.arrivals, true);
+    ViewState view;
+    view.scene = state_.world.scene;
+    view.pictures = shown_.pictures;
+    view.display = state_.person.settings.display;
+    view.dialogue = state_.lists.dialogue.view();
+    view.moved = bodies_.moved();
+    view.feet_m = feet_m();
+    view.eyes_m = view.feet_m + Vec3(0.0, 0.0, state_.avatar.walker->size().eye_height_m);
+    view.heading_rad = state_.avatar.heading_rad;
+    view.tilt_rad = walk_.walking.tilt_rad();
+    view.forces_on = state_.hands.tuning.forces_on && state_.hands.tuning.focused && !state_.hands.tuning.panic;
+    view.show_hand = state_.hands.right.present;
+    view.proxy_m = tool.proxy_m;
+    view.proxy_radius_m = tool.proxy_radius_m;
+    view.touching = tool.touches() || tool.holds != render::kNoBody;
+    view.force_n = tool.force_n;
+    view.north_up = state_.person.settings.workspace.frame == settings::FrameChoice::Map;
+    view.plan_scale = state_.hands.named_scale;
+    if (!view.scene) return view;
+    view.texts.title = phrase("window.title", {{"world", spoken_name(*view.scene)},
+                                               {"lesson", learn_.teaching.exercise.title()},
+                                               {"in_lesson", learn_.teaching.exercise.under_way() ? "yes" : "no"}});
+    if (view.show_hand) {
+        // A report of the servo may still belong to the previous world.
+        if (tool.ticks > 0 && tool.scene_world == state_.world.felt) shown_.hand_path.add(tool.proxy_m);
+        view.texts.hand = touch_words(state_, tool, view.forces_on);
+    }
+    view.texts.task = task_words();
+    view.path_m = walk_.walking.path_m();
+    view.hand_path_m = shown_.hand_path.points_m();
+    if (guide_.leads()) view.guidance.route_m = guide_.way_m();
+    if (guide_.beacon().on())
+        view.guidance.beacon = DrawnPlace{guide_.beacon().name(), guide_.beacon().thing_m().centre_m()};
+    for (const Mark& mark : state_.world.marks) view.guidance.marks.push_back({mark.name, mark.place_m});
+    if (shown_.pictures != Pictures::FirstPerson) {
+        view.rooms = where_.rooms.drawing();
+        view.visited = where_.rooms.visited();
+        view.room = where_.rooms.here();
+    }
+    return view;
+}
+
+// Returns what a lesson asks the person to do, and the present leg of the route.
+std::string Session::task_words() const {
+    std::string words = learn_.teaching.exercise.task();
+    if (words.empty()) words = lesson_session_.instruction();
+    if (guide_.leads() && !state_.cues.last_leg().empty())
+        words += (words.empty() ? "" : " ") + phrase("window.leg", {{"leg", state_.cues.last_leg()}});
+    return words;
+}
+
+}  // namespace handrail::core
