@@ -163,6 +163,17 @@ TEST_F(Pictures, of_a_hand_at_a_wall_show_its_force_in_newtons) {
     }
 }
 
+TEST_F(Pictures, of_a_lesson_show_what_it_asks_for) {
+    Explorer person("first_room.map");
+    person.type("lessons");
+    person.type("1");
+    const ViewState view = person.view();
+    const std::string& asked = view.texts.messages.back();
+    EXPECT_FALSE(view.texts.task.empty());
+    EXPECT_THAT(asked, ::testing::HasSubstr(view.texts.task)) << "what was said last";
+    draw(view, {1280, 720}, "lesson");
+}
+
 TEST_F(Pictures, in_each_set_of_colours_and_text_size_keep_their_contrast) {
     Explorer person("house.map");
     person.type("route to kitchen");

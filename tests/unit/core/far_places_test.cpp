@@ -70,7 +70,7 @@ TEST(IAmLost, names_the_last_known_place_or_else_the_base) {
     far.app.apply(Placed{far.app.feet_m() + Vec3(0.0, 3.0, 0.0), 0.0}, far.now);
     far.run(0.2);
     EXPECT_THAT(far.request(Command::Lost),
-                HasSubstr("Last known place: where you last heard your position, in Hall, "))
+                HasSubstr("Last known place: where you last heard your position, in Hall. On foot "))
         << "the exits were asked for there";
 }
 
