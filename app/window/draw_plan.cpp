@@ -5,7 +5,7 @@
 
 #include "app/window/drawn_colour.h"
 #include "app/window/force_arrow.h"
-#include "app/window/large_text.h"
+#include "app/window/plan_labels.h"
 #include "worlds/base/language.h"
 
 namespace handrail::window {
@@ -16,83 +16,19 @@ constexpr double kBeyondOutline_m = 0.35;
 
 ImVec2 im(const Vec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
-struct LabelBox {
-    ImVec2 from, to;
-
-    bool meets(const LabelBox& other) const {
-        return from.x < other.to.x && other.from.x < to.x && from.y < other.to.y && other.from.y < to.y;
-    }
-};
-
 LabelBox box_around(const ImVec2& middle, float half_px) {
     return {{middle.x - half_px, middle.y - half_px}, {middle.x + half_px, middle.y + half_px}};
 }
 
-// A name on the plan. Names are placed in the order of the list, so the first ones get the best places.
-struct Label {
-    std::string text;
-    ImVec2 at;
-    bool inverted = false;
-    bool always = false;  // true: it is shown in small letters even if it then covers another name
-};
-
-// Places labels so that none covers another label, the walker, the hand, the scale bar or the needle. A label moves or
-// becomes smaller if necessary. If that does not suffice, it is left out.
-class Labels {
-public:
-    Labels(ImDrawList& list, ImFont& font, const Palette& palette, float unit_px)
-        : list_(list), font_(font), palette_(palette), unit_px_(unit_px) {}
-
-    void keep_free(const LabelBox& box) { taken_.push_back(box); }
-
-    void put(const Label& label, const PixelBox& inside) {
-        for (const float size : {5.0F, 4.0F, 3.0F})
-            for (const float moved : {0.0F, 1.0F, -1.0F})
-                if (lay(label, size * unit_px_, moved, inside) && is_free()) return draw(label);
-        if (!label.always) return;
-        lay(label, 3.0F * unit_px_, 2.0F, inside);
-        draw(label);
-    }
-
-private:
-    // Returns false if the label would be cut off by the border of the plan.
-    bool lay(const Label& label, float text_px, float moved, const PixelBox& inside) {
-        text_px_ = text_px;
-        lines_ = wrapped_lines(font_, text_px, label.text, 6.0F * text_px);
-        float wide = 0.0F;
-        for (const std::string_view line : lines_)
-            wide = std::max(wide, font_.CalcTextSizeA(text_px, 1e9F, 0.0F, line.data(), line.data() + line.size()).x);
-        const float edge = 0.5F * unit_px_, high = text_px * static_cast<float>(lines_.size());
-        box_ = {{label.at.x - 0.5F * wide - edge, label.at.y + (moved - 0.5F) * high - edge},
-                {label.at.x + 0.5F * wide + edge, label.at.y + (moved + 0.5F) * high + edge}};
-        return box_.from.x >= static_cast<float>(inside.min_px.x) && box_.to.x <= static_cast<float>(inside.max_px.x) &&
-               box_.from.y >= static_cast<float>(inside.min_px.y) && box_.to.y <= static_cast<float>(inside.max_px.y);
-    }
-
-    bool is_free() const {
-        return std::none_of(taken_.begin(), taken_.end(), [&](const LabelBox& other) { return box_.meets(other); });
-    }
-
-    void draw(const Label& label) {
-        taken_.push_back(box_);
-        const ImU32 text = colour_of(palette_.text), ground = colour_of(palette_.ground);
-        list_.AddRectFilled(box_.from, box_.to, label.inverted ? text : ground);
-        for (std::size_t i = 0; i < lines_.size(); ++i)
-            list_.AddText(
-                &font_, text_px_,
-                {box_.from.x + 0.5F * unit_px_, box_.from.y + 0.5F * unit_px_ + static_cast<float>(i) * text_px_},
-                label.inverted ? ground : text, lines_[i].data(), lines_[i].data() + lines_[i].size());
-    }
-
-    ImDrawList& list_;
-    ImFont& font_;
-    const Palette& palette_;
-    float unit_px_;
-    std::vector<LabelBox> taken_;
-    LabelBox box_;
-    float text_px_ = 0.0F;
-    std::vector<std::string_view> lines_;
-};
+void draw_label(ImDrawList& list, ImFont& font, const PlacedLabel& label, const Palette& palette, float unit_px) {
+    const ImU32 text = colour_of(palette.text), ground = colour_of(palette.ground);
+    list.AddRectFilled(label.box.from, label.box.to, label.inverted ? text : ground);
+    for (std::size_t i = 0; i < label.lines.size(); ++i)
+        list.AddText(&font, label.text_px,
+                     {label.box.from.x + 0.5F * unit_px,
+                      label.box.from.y + 0.5F * unit_px + static_cast<float>(i) * label.text_px},
+                     label.inverted ? ground : text, label.lines[i].c_str());
+}
 
 // Returns the names in the order of their importance: the present room, the beacon, the marks, then rooms by size.
 std::vector<Label> labels_of(const core::ViewState& view, const PlanLayout& layout) {
@@ -104,10 +40,12 @@ std::vector<Label> labels_of(const core::ViewState& view, const PlanLayout& layo
     });
     const auto add_room = [&](std::size_t r) {
         const bool here = r == view.room;
-        labels.push_back({(*view.rooms)[r].name, im(layout.to_pixels((*view.rooms)[r].middle_m)), here, here});
+        labels.push_back({(*view.rooms)[r].name, im(layout.to_pixels((*view.rooms)[r].middle_m)), here});
     };
     const bool here = !rooms.empty() && rooms.front() == view.room;
     if (here) add_room(rooms.front());
+    if (view.guidance.goal)
+        labels.push_back({view.guidance.goal->name, im(layout.to_pixels(view.guidance.goal->place_m)), true});
     if (view.guidance.beacon)
         labels.push_back({view.guidance.beacon->name, im(layout.to_pixels(view.guidance.beacon->place_m))});
     for (const core::DrawnPlace& mark : view.guidance.marks)
@@ -169,7 +107,7 @@ void draw_labyrinth(ImDrawList& list, const PlanLayout& layout, const Scene& sce
     }
 }
 
-// Draws the place of the beacon as three rings, and a mark as a flag on a pole.
+// Draws the place of the beacon as three rings, a mark as a flag on a pole, and the end of the route as a square.
 void draw_places(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view, const Palette& palette,
                  float unit_px) {
     for (const core::DrawnPlace& mark : view.guidance.marks) {
@@ -180,6 +118,12 @@ void draw_places(ImDrawList& list, const PlanLayout& layout, const core::ViewSta
             list.AddTriangleFilled({top.x, top.y - 0.5F * wide}, {top.x + 3.5F * unit_px, top.y + 1.5F * unit_px},
                                    {top.x, top.y + 3.0F * unit_px + 0.5F * wide}, colour_of(colour));
         }
+    }
+    if (view.guidance.goal) {
+        const ImVec2 end = im(layout.to_pixels(view.guidance.goal->place_m));
+        for (const auto& [half, colour] :
+             {std::pair(2.4F * unit_px, palette.ground), std::pair(1.8F * unit_px, palette.route)})
+            list.AddRectFilled({end.x - half, end.y - half}, {end.x + half, end.y + half}, colour_of(colour));
     }
     if (!view.guidance.beacon) return;
     const ImVec2 at = im(layout.to_pixels(view.guidance.beacon->place_m));
@@ -272,18 +216,25 @@ void PlanDrawing::draw(const core::ViewState& view, ImFont& font, const PixelBox
     if (view.show_hand) draw_hand(list, layout, view, *palette_, unit_px_);
     draw_walker(list, layout, view, *palette_, unit_px_);
 
-    Labels labels(list, font, *palette_, unit_px_);
-    for (const LabelBox& covered : draw_scale_and_north(list, font, layout, *palette_, unit_px_))
-        labels.keep_free(covered);
-    labels.keep_free(box_around(im(layout.to_pixels(view.feet_m)), 5.0F * unit_px_));
-    if (view.show_hand) labels.keep_free(box_around(im(layout.to_pixels(view.proxy_m)), 3.0F * unit_px_));
+    const auto scale_and_north = draw_scale_and_north(list, font, layout, *palette_, unit_px_);
+    std::vector<LabelBox> signs(scale_and_north.begin(), scale_and_north.end());
+    signs.push_back(box_around(im(layout.to_pixels(view.feet_m)), 5.0F * unit_px_));
+    if (view.show_hand) signs.push_back(box_around(im(layout.to_pixels(view.proxy_m)), 3.0F * unit_px_));
     for (const core::DrawnPlace& mark : view.guidance.marks) {
         const ImVec2 foot = im(layout.to_pixels(mark.place_m));
-        labels.keep_free({{foot.x - unit_px_, foot.y - 7.0F * unit_px_}, {foot.x + 4.0F * unit_px_, foot.y}});
+        signs.push_back({{foot.x - unit_px_, foot.y - 7.0F * unit_px_}, {foot.x + 4.0F * unit_px_, foot.y}});
+    }
+    for (std::size_t i = 1; i < view.guidance.route_m.size(); ++i) {
+        // Boxes along the route, so that no name covers it.
+        const Vec2 a = layout.to_pixels(view.guidance.route_m[i - 1]), b = layout.to_pixels(view.guidance.route_m[i]);
+        const double step = 2.0 * unit_px_, length = glm::distance(a, b);
+        for (double t = 0.0; t <= length; t += step)
+            signs.push_back(box_around(im(a + (length > 0.0 ? t / length : 0.0) * (b - a)), unit_px_));
     }
     if (view.guidance.beacon)
-        labels.keep_free(box_around(im(layout.to_pixels(view.guidance.beacon->place_m)), 4.5F * unit_px_));
-    for (const Label& label : labels_of(view, layout)) labels.put(label, box);
+        signs.push_back(box_around(im(layout.to_pixels(view.guidance.beacon->place_m)), 4.5F * unit_px_));
+    for (const PlacedLabel& label : place_labels(font, labels_of(view, layout), std::move(signs), box, unit_px_))
+        draw_label(list, font, label, *palette_, unit_px_);
     list.PopClipRect();
 }
 

@@ -5,8 +5,10 @@
 #include <glm/ext/matrix_clip_space.hpp>
 #include <vector>
 
+#include "app/core/dialogue/words.h"
 #include "app/window/drawn_colour.h"
 #include "app/window/force_arrow.h"
+#include "worlds/base/language.h"
 
 namespace handrail::window {
 namespace {
@@ -227,14 +229,22 @@ void FirstPerson::draw(const core::ViewState& view, UploadedScene& scene, const 
     const Vec3 to = view.proxy_m - view.eyes_m;
     const Camera towards{std::atan2(to.x, to.y), std::atan2(to.z, std::max(1e-6, std::hypot(to.x, to.y))),
                          kSmallestInInset};
-    const Vec2 size = glm::floor(kInsetPart * (box.max_px - box.min_px));
-    const PixelBox inset{Vec2(box.max_px.x - size.x, box.min_px.y), Vec2(box.max_px.x, box.min_px.y + size.y)};
+    const Vec2 inset_px = glm::floor(kInsetPart * (box.max_px - box.min_px));
+    const PixelBox inset{Vec2(box.max_px.x - inset_px.x, box.min_px.y), Vec2(box.max_px.x, box.min_px.y + inset_px.y)};
     draw_seen(view, scene, towards, inset, window);
     for (const auto& [wide, colour] : {std::pair(6.0F, palette.ground), std::pair(2.0F, palette.text)})
         list.AddRect({static_cast<float>(inset.min_px.x), static_cast<float>(inset.min_px.y)},
                      {static_cast<float>(inset.max_px.x), static_cast<float>(inset.max_px.y)}, colour_of(colour), 0.0F,
                      0, wide);
     put_force(towards, inset);
+    // The title says in which direction the inset looks.
+    const std::string title =
+        phrase("window.inset", {{"direction", core::direction_words(towards.heading_rad, view.heading_rad,
+                                                                    settings::DirectionChoice::Sides)}});
+    const ImVec2 corner(static_cast<float>(inset.min_px.x) + 4.0F, static_cast<float>(inset.max_px.y) + 4.0F);
+    const ImVec2 size = font.CalcTextSizeA(text_px, 1e9F, 0.0F, title.c_str());
+    list.AddRectFilled(corner, {corner.x + size.x + 4.0F, corner.y + size.y}, colour_of(palette.ground));
+    list.AddText(&font, text_px, corner, colour_of(palette.text), title.c_str());
 }
 
 void FirstPerson::draw_seen(const core::ViewState& view, UploadedScene& scene, const Camera& camera,

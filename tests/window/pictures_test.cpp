@@ -2,6 +2,7 @@
 // hand with its force, the state and the messages. Saves the pictures under build/.../pictures, for people to look at.
 #include <png.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "app/core/session/headless_session.h"
@@ -19,7 +20,13 @@
 namespace handrail::test {
 namespace pictures_test {
 
-constexpr PixelSize kSizes[] = {{800, 600}, {1280, 720}, {1920, 1080}};
+// Returns the sizes of screens to try. A large picture takes seconds without a graphics card, so it is drawn only with
+// HANDRAIL_LARGE_PICTURES=1.
+std::vector<PixelSize> sizes() {
+    std::vector<PixelSize> sizes{{800, 600}, {1280, 720}, {1920, 1080}};
+    if (std::getenv("HANDRAIL_LARGE_PICTURES")) sizes.push_back({3840, 2160});
+    return sizes;
+}
 
 HandFacts falcon() {
     HandFacts facts;
@@ -132,7 +139,7 @@ TEST_F(Pictures, of_a_route_in_the_school_show_route_beacon_mark_hand_and_texts)
     ASSERT_EQ(view.guidance.marks.size(), 1U);
     EXPECT_FALSE(view.texts.hand.empty());
     EXPECT_THAT(view.texts.task, ::testing::HasSubstr("Route: "));
-    for (const PixelSize size : kSizes) {
+    for (const PixelSize size : sizes()) {
         const Picture picture = draw(view, size, "school-route");
         const WindowLayout layout = lay_out_window(size, view.pictures, view.display.text_size);
         check_texts(picture, view, layout);
@@ -153,7 +160,7 @@ TEST_F(Pictures, of_a_hand_at_a_wall_show_its_force_in_newtons) {
     EXPECT_THAT(view.texts.hand, ::testing::HasSubstr("newtons"));
     ViewState still = view;
     still.force_n = Vec3(0.0);
-    for (const PixelSize size : kSizes) {
+    for (const PixelSize size : sizes()) {
         const WindowLayout layout = lay_out_window(size, view.pictures, 1.0);
         const Picture with = draw(view, size, "hand-at-wall"), without = draw(still, size, "hand-without-force");
         const Palette& palette = palette_of(view.display.colours);

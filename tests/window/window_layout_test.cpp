@@ -3,8 +3,11 @@
 
 #include <imgui.h>
 
+#include <random>
+
 #include "app/window/large_text.h"
 #include "app/window/palette.h"
+#include "app/window/plan_labels.h"
 #include "app/window/window.h"
 #include "tests/support/names.h"
 
@@ -119,14 +122,14 @@ TEST(Palettes, separate_neighbouring_faces_of_the_plan_by_three_to_one) {
 
 // ---- messages ----
 
-class Messages : public ::testing::Test {
+class Letters : public ::testing::Test {
 protected:
-    Messages() : context_(ImGui::CreateContext()) {
+    Letters() : context_(ImGui::CreateContext()) {
         ImGui::SetCurrentContext(context_);
         font_ = ImGui::GetIO().Fonts->AddFontDefault();
         ImGui::GetIO().Fonts->Build();
     }
-    ~Messages() override { ImGui::DestroyContext(context_); }
+    ~Letters() override { ImGui::DestroyContext(context_); }
 
     std::vector<TextLine> lines(const std::vector<std::string>& messages) {
         return message_lines(*font_, messages, layout_);
@@ -141,6 +144,9 @@ protected:
     ImFont* font_ = nullptr;
     const WindowLayout layout_ = lay_out_window({960, 720}, Pictures::Both, 1.0);
 };
+
+class Messages : public Letters {};
+class Names : public Letters {};
 
 TEST_F(Messages, show_the_last_five_completely_if_they_are_short) {
     const auto shown = lines({"one", "two", "three", "four", "five"});
@@ -180,6 +186,40 @@ TEST_F(Messages, show_a_long_newest_message_completely_before_older_ones) {
     std::string endless;
     for (int i = 0; i < 400; ++i) endless += "corridor ";
     EXPECT_TRUE(lines({"older", endless}).back().text.ends_with(" ..."));
+}
+
+// ---- names on the plan ----
+
+TEST_F(Names, on_the_plan_never_cover_each_other_or_a_sign) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> across(0.0F, 600.0F), down(0.0F, 400.0F);
+    const PixelBox inside{Vec2(0.0), Vec2(600.0, 400.0)};
+    for (int round = 0; round < 200; ++round) {
+        std::vector<Label> labels;
+        for (int i = 0; i < 60; ++i)
+            labels.push_back({i % 3 ? "Room " + std::to_string(i) : "Assembly hall on the ground floor",
+                              {across(random), down(random)},
+                              i == 0});
+        std::vector<LabelBox> signs;
+        for (int i = 0; i < 5; ++i) {
+            const ImVec2 at(across(random), down(random));
+            signs.push_back({at, {at.x + 30.0F, at.y + 30.0F}});
+        }
+        const auto placed = place_labels(*font_, labels, signs, inside, 5.0F);
+        EXPECT_GE(placed.size(), 10U);
+        for (std::size_t i = 0; i < placed.size(); ++i) {
+            EXPECT_GE(placed[i].box.from.x, 0.0F);
+            EXPECT_LE(placed[i].box.to.y, 400.0F);
+            EXPECT_GE(placed[i].text_px, 15.0F);
+            for (const LabelBox& sign : signs) EXPECT_FALSE(placed[i].box.meets(sign));
+            for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(placed[i].box.meets(placed[j].box));
+        }
+    }
+    // Without neighbours, a name is in the largest letters and in the middle of its place.
+    const auto alone = place_labels(*font_, {{"Kitchen", {300.0F, 200.0F}}}, {}, inside, 5.0F);
+    ASSERT_EQ(alone.size(), 1U);
+    EXPECT_EQ(alone[0].text_px, 25.0F);
+    EXPECT_NEAR(alone[0].box.from.x + alone[0].box.to.x, 600.0F, 1e-3F);
 }
 
 // ---- the place of the window ----

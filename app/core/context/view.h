@@ -59,6 +59,7 @@ struct ShownTexts {
 
 struct ShownGuidance {
     std::vector<Vec3> route_m;         // the planned route that the walker follows; empty: none
+    std::optional<DrawnPlace> goal;    // the end of that route
     std::optional<DrawnPlace> beacon;  // where the beacon sounds
     std::vector<DrawnPlace> marks;
 

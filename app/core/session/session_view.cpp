@@ -1,5 +1,8 @@
 // The part of Session for the window: it collects everything that a picture of the present moment shows. Use it on the
 // app thread only.
+#include <algorithm>
+#include <cmath>
+
 #include "app/core/session/session.h"
 #include "audio-cues/plan/cue_planner.h"
 #include "worlds/base/language.h"
@@ -7,15 +10,31 @@
 namespace handrail::core {
 namespace {
 
-// Returns what the hand touches, the force on the hand, and why there is no force if there is none.
-std::string touch_words(const SessionState& state, const servo::ToolState& tool, bool forces_on) {
+// Returns the names of everything that the hand touches, or that it touches nothing.
+std::string touched_words(const Scene& scene, const servo::ToolState& tool) {
     constexpr int kNameAndMaterial = 2;
-    std::string what = phrase("window.free");
-    if (tool.touches())
-        if (std::string name = cues::describe_feature(*state.world.scene, tool.touched(), kNameAndMaterial);
-            !name.empty())
-            what = std::move(name);
-    return phrase("window.hand", {{"what", what},
+    std::vector<FeatureId> touched{tool.touched()};
+    for (std::size_t i = 0; i < tool.contacts.count; ++i) touched.push_back(tool.contacts.contacts[i].feature);
+    std::string words;
+    for (auto at = touched.begin(); at != touched.end(); ++at) {
+        const std::string name = cues::describe_feature(scene, *at, kNameAndMaterial);
+        if (!name.empty() && std::find(touched.begin(), at, *at) == at) words += (words.empty() ? "" : "; ") + name;
+    }
+    return words.empty() ? phrase("window.free") : words;
+}
+
+// Returns where the hand is as seen from the walker, what it touches, the force on it, and whether there is force.
+std::string hand_words(const SessionState& state, const servo::ToolState& tool, bool forces_on) {
+    const Vec3 to = tool.proxy_m - state.avatar.feet_m();
+    const double away_m = glm::length(Vec2(to.x, to.y));
+    std::string where = phrase("window.hand_here");
+    if (constexpr double kHere_m = 0.4; away_m > kHere_m)
+        where =
+            phrase("window.hand_there", {{"metres", away_m},
+                                         {"direction", direction_words(std::atan2(to.x, to.y), state.avatar.heading_rad,
+                                                                       state.person.settings.speech.directions)}});
+    return phrase("window.hand", {{"where", where},
+                                  {"what", touched_words(*state.world.scene, tool)},
                                   {"newtons", glm::length(tool.force_n)},
                                   {"simulated", state.hands.right.simulated ? "yes" : "no"},
                                   {"forces", forces_on && tool.fault == servo::Fault::None ? "on" : "off"}});
@@ -50,12 +69,15 @@ ViewState Session::view(const servo::ToolState& tool) {
     if (view.show_hand) {
         // A report of the servo may still belong to the previous world.
         if (tool.ticks > 0 && tool.scene_world == state_.world.felt) shown_.hand_path.add(tool.proxy_m);
-        view.texts.hand = touch_words(state_, tool, view.forces_on);
+        view.texts.hand = hand_words(state_, tool, view.forces_on);
     }
     view.texts.task = task_words();
     view.path_m = walk_.walking.path_m();
     view.hand_path_m = shown_.hand_path.points_m();
-    if (guide_.leads()) view.guidance.route_m = guide_.way_m();
+    if (guide_.leads() && !guide_.way_m().empty()) {
+        view.guidance.route_m = guide_.way_m();
+        view.guidance.goal = DrawnPlace{sentence_case(guide_.route_name()), guide_.way_m().back()};
+    }
     if (guide_.beacon().on())
         view.guidance.beacon = DrawnPlace{guide_.beacon().name(), guide_.beacon().thing_m().centre_m()};
     for (const Mark& mark : state_.world.marks) view.guidance.marks.push_back({mark.name, mark.place_m});
