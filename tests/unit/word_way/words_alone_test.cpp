@@ -36,6 +36,14 @@ public:
     const std::vector<Room>& rooms() const { return graph_.rooms; }
     std::uint32_t room(const Vec3& at_m) const { return ways_ ? room_at(graph_, ways_->space(), at_m) : kNothing; }
     Route way(const Vec3& from_m, std::uint32_t to) const { return ways_->plan(from_m, graph_.rooms[to].middle_m); }
+    // Returns true if the feet are in a room with that name. Pieces of one street may have the same name.
+    bool in_room_named(const Vec3& feet_m, const std::string& name) const {
+        for (std::uint32_t i = 0; i < graph_.rooms.size(); ++i)
+            if (graph_.rooms[i].name == name && in_room(feet_m, i)) return true;
+        return false;
+    }
+
+private:
     // Returns true if the feet are inside the outline that the file states for the room. If the file states no outline,
     // returns true if the feet are on the room's floor.
     bool in_room(const Vec3& feet_m, std::uint32_t room_index) const {
@@ -45,7 +53,6 @@ public:
         return room(feet_m) == room_index;
     }
 
-private:
     const Scene& scene_;
     std::shared_ptr<Navigation> ways_;
     RoomGraph graph_;
@@ -98,7 +105,8 @@ Row walk_all(const std::shared_ptr<const Scene>& world, std::uint32_t every) {
         ++row.walks;
         const std::string name = sentence_case(judge.rooms()[to].name);
         const WordWalker::End end = walker.go(name);
-        const bool there = end == WordWalker::End::Arrived && judge.in_room(walker.feet_m(), to);
+        const bool there =
+            end == WordWalker::End::Arrived && judge.in_room_named(walker.feet_m(), judge.rooms()[to].name);
         row.reached += there ? 1 : 0;
         row.falsely += end == WordWalker::End::Arrived && !there ? 1 : 0;
         row.loops += end == WordWalker::End::Loop ? 1 : 0;
