@@ -202,11 +202,11 @@ BlindWalker BlindGround::body_at(const Vec3& feet_m) const {
 bool BlindGround::held(std::uint32_t from, std::uint32_t to, const DoorsOpen& open, bool through_doors) const {
     if (shut_leaf_.empty()) return false;
     const auto in = [&](std::uint32_t span, std::uint32_t& door) {
-        if (const std::uint16_t d = shut_leaf_[span]; d && !open[d - 1U] && !through_doors) {
+        if (const std::uint16_t d = shut_leaf_[span]; d && open[d - 1U] == DoorState::Shut && !through_doors) {
             door = d;
             return true;
         }
-        if (const std::uint16_t d = open_leaf_[span]; d && open[d - 1U]) {
+        if (const std::uint16_t d = open_leaf_[span]; d && open[d - 1U] == DoorState::Open) {
             door = d;
             return true;
         }
@@ -215,7 +215,7 @@ bool BlindGround::held(std::uint32_t from, std::uint32_t to, const DoorsOpen& op
     std::uint32_t there = 0, here = 0;
     if (!in(to, there)) return false;
     if (!(in(from, here) && here == there)) return true;
-    return shut_middle_[to] && !shut_middle_[from] && !open[there - 1U] && !through_doors;
+    return shut_middle_[to] && !shut_middle_[from] && open[there - 1U] == DoorState::Shut && !through_doors;
 }
 
 // One stride, shorter than a cell. `next` contains, for each axis, the index in WalkSpan::next of the neighbour that

@@ -33,8 +33,11 @@ struct DirectionsDoor {
 // scene must be a separate thing: see with_movers_apart().
 std::vector<DirectionsDoor> word_doors(const Scene& scene, std::span<const int> thing_of_mover);
 
-// For each index of a DirectionsDoor: whether that door is open.
-using DoorsOpen = std::vector<bool>;
+// State of a door. `Cleared`: the door is open, and wherever its leaf is in the way, the walker shuts it again. So the
+// door blocks nothing.
+enum class DoorState : std::uint8_t { Shut, Open, Cleared };
+// For each index of a DirectionsDoor: its state.
+using DoorsOpen = std::vector<DoorState>;
 
 // Position of a walker on the ground.
 struct BlindWalker {
@@ -77,7 +80,7 @@ public:
 
     const WalkSpace& space() const { return space_; }
     const std::vector<DirectionsDoor>& doors() const { return doors_; }
-    DoorsOpen all_shut() const { return DoorsOpen(doors_.size(), false); }
+    DoorsOpen all_shut() const { return DoorsOpen(doors_.size(), DoorState::Shut); }
 
     // Returns a walker at that place. BlindWalker::span is kNothing if nobody can stand there.
     BlindWalker body_at(const Vec3& feet_m) const;

@@ -184,10 +184,12 @@ std::vector<float> DirectionsPlanner::flood(const DirectionsGoal& goal, std::uin
 }
 
 struct DirectionsPlanner::Trial {
+    Vec3 from_m;
     BlindWalker stands;
     int notch = 0;
-    const DoorsOpen& doors;
+    DoorsOpen doors;
     DirectionsErrors errors;
+    DoorState opened = DoorState::Open;  // the state of a door after the walker has opened it
 };
 
 // Returns the distances to the goal that remain after each door and flight on the shortest route, in walking order.
@@ -239,6 +241,7 @@ struct DirectionsPlanner::Search {
     const std::vector<float>& far_m;
     const std::vector<float>& milestones_m;
     DirectionsErrors errors;
+    DoorState opened;  // the state of a door after the walker has opened it
     std::vector<Node> nodes;
     std::priority_queue<Candidate> open;
     // Nothing iterates over `seen` or `here`, because the order of their elements is arbitrary.
@@ -371,8 +374,8 @@ struct DirectionsPlanner::Search {
             else one_door = one_door && near == door;
             to.samples[static_cast<std::size_t>(i)] = sample;
         }
-        if (door != kNothing && one_door && !from.open[door] && ground.doors()[door].opens) {
-            to.open[door] = true;
+        if (door != kNothing && one_door && from.open[door] == DoorState::Shut && ground.doors()[door].opens) {
+            to.open[door] = opened;
             to.doors = from.doors ^ mixed(door + 1);
             to.leg.door = door;
         }
@@ -436,34 +439,62 @@ struct DirectionsPlanner::Search {
     }
 };
 
+DoorsOpen doors_on(const DirectionsRoute& route, DoorsOpen open) {
+    if (route.shuts_leaves)
+        for (DoorState& door : open)
+            if (door == DoorState::Open) door = DoorState::Cleared;
+    return open;
+}
+
 std::optional<DirectionsRoute> DirectionsPlanner::plan(const Vec3& from_m, double heading_rad,
                                                        const DirectionsGoal& goal, const DoorsOpen& doors,
                                                        const DirectionsErrors& errors, const std::stop_token& stop,
                                                        const DirectionsParts& parts) const {
-    const WalkSpace& space = ground_.space();
-    contract_pre(goal.size() == space.spans.size() && doors.size() == ground_.doors().size());
+    contract_pre(goal.size() == ground_.space().spans.size() && doors.size() == ground_.doors().size());
     const BlindWalker stands = ground_.body_at(from_m);
     if (stands.span == kNothing) return std::nullopt;
     const std::vector<float> far = flood(goal, stands.span);
     if (!std::isfinite(far[piece_of_span_[stands.span]])) return std::nullopt;
-    const std::vector<float> milestones_m = milestones(far, stands.span);
-    const Trial trial{stands, nearest_notch(heading_rad), doors, errors};
+    DirectionsRoute route;
+    for (const bool shuts_leaves : {false, true}) {
+        route.shuts_leaves = shuts_leaves;
+        const Trial trial{from_m,
+                          stands,
+                          nearest_notch(heading_rad),
+                          doors_on(route, doors),
+                          errors,
+                          shuts_leaves ? DoorState::Cleared : DoorState::Open};
+        if (auto found = plan_with(trial, goal, far, stop, parts)) {
+            found->shuts_leaves = shuts_leaves;
+            return found;
+        }
+        if (doors.empty() || stop.stop_requested()) break;
+    }
+    return std::nullopt;
+}
+
+std::optional<DirectionsRoute> DirectionsPlanner::plan_with(const Trial& trial, const DirectionsGoal& goal,
+                                                            const std::vector<float>& far, const std::stop_token& stop,
+                                                            const DirectionsParts& parts) const {
+    const std::vector<float> milestones_m = milestones(far, trial.stands.span);
+    const DirectionsErrors& errors = trial.errors;
     std::optional<DirectionsRoute> best;
     // If no route succeeds with the full errors, tries smaller errors, and finally none.
     for (const double part : {1.0, 0.7, 0.4, 0.0}) {
         Search search{
             *this,
             ground_,
-            space,
+            ground_.space(),
             goal,
             far,
             milestones_m,
             {errors.step_part * part * kWider, errors.turn_rad * part * kWider, errors.start_m * part * kWider},
+            trial.opened,
             {},
             {},
             {},
             {}};
-        search.start(from_m, nearest_notch(heading_rad), doors);
+        search.start(trial.from_m, trial.notch, trial.doors);
         const std::optional<std::uint32_t> first = search.begin_with(parts.begun);
         if (!first) continue;
         search.offer(*first);
@@ -486,7 +517,8 @@ std::optional<DirectionsRoute> DirectionsPlanner::plan(const Vec3& from_m, doubl
                 ++tried;
                 DirectionsRoute route = search.route_to(*node);
                 for (const DirectionsLeg& leg : route.legs) route.length_m += leg.steps * step_m_;
-                route.came = try_out(route, from_m, heading_rad, goal, doors, errors, kWordTrials, kTrialSeed);
+                route.came = try_out(route.legs, trial, kWordTrials, kTrialSeed,
+                                     [&](const BlindWalker& body) { return goal[body.span] != 0; });
                 if (!best || route.came > best->came) best = std::move(route);
                 if (best->came >= kGoodEnough) return best;
                 continue;
@@ -531,8 +563,13 @@ int DirectionsPlanner::try_out(const DirectionsRoute& route, const Vec3& from_m,
                                int bodies, std::uint64_t seed) const {
     const BlindWalker stands = ground_.body_at(from_m);
     if (stands.span == kNothing) return 0;
-    return try_out(route.legs, {stands, nearest_notch(heading_rad), doors, errors}, bodies, seed,
-                   [&](const BlindWalker& body) { return goal[body.span] != 0; });
+    const Trial trial{from_m,
+                      stands,
+                      nearest_notch(heading_rad),
+                      doors_on(route, doors),
+                      errors,
+                      route.shuts_leaves ? DoorState::Cleared : DoorState::Open};
+    return try_out(route.legs, trial, bodies, seed, [&](const BlindWalker& body) { return goal[body.span] != 0; });
 }
 
 int DirectionsPlanner::try_out(std::span<const DirectionsLeg> legs, const Trial& trial, int bodies, std::uint64_t seed,
@@ -557,7 +594,8 @@ int DirectionsPlanner::try_out(std::span<const DirectionsLeg> legs, const Trial&
             const Paced paced = ground_.walk(body, notch_heading_rad(notch) + off_rad, most_m, leg.end, open);
             lost = paced.at_edge;
             if (lost) break;
-            if (leg.door != kNothing && ground_.door_at(body.span) == leg.door) open[leg.door] = true;
+            if (leg.door != kNothing && ground_.door_at(body.span) == leg.door && open[leg.door] == DoorState::Shut)
+                open[leg.door] = trial.opened;
         }
         came += !lost && there(body) ? 1 : 0;
     }

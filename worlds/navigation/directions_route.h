@@ -47,7 +47,11 @@ struct DirectionsRoute {
     // False: these are only the first legs, and the rest still has to be planned from their end. In that case `came` is
     // 0.
     bool whole = true;
+    // True: on the way, the walker shuts each open door whose leaf blocks a leg.
+    bool shuts_leaves = false;
 };
+// Returns the states of the doors for a walker on the route.
+DoorsOpen doors_on(const DirectionsRoute& route, DoorsOpen open);
 inline constexpr int kWordTrials = 100;
 
 // The greatest errors that a person makes while following spoken directions.
@@ -76,7 +80,7 @@ public:
 
     // Plans from a place and a heading, which is rounded to a notch, to the nearest place of the goal. Returns nothing
     // if no route over floor and stairs leads to the goal, if `stop` was requested, or if no route succeeds even
-    // without errors.
+    // without errors. If the leaves of open doors block every route, the walker on the route shuts these doors.
     std::optional<DirectionsRoute> plan(const Vec3& from_m, double heading_rad, const DirectionsGoal& goal,
                                         const DoorsOpen& open, const DirectionsErrors& errors = {},
                                         const std::stop_token& stop = {}, const DirectionsParts& parts = {}) const;
@@ -87,6 +91,9 @@ public:
 private:
     struct Search;
     struct Trial;
+    std::optional<DirectionsRoute> plan_with(const Trial& trial, const DirectionsGoal& goal,
+                                             const std::vector<float>& far_m, const std::stop_token& stop,
+                                             const DirectionsParts& parts) const;
     int try_out(std::span<const DirectionsLeg> legs, const Trial& trial, int bodies, std::uint64_t seed,
                 const std::function<bool(const BlindWalker&)>& there) const;
     bool head_on(std::uint32_t door, int notch) const;

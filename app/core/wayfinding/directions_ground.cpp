@@ -32,8 +32,9 @@ navigation::DoorsOpen DirectionsGround::open_now(const DirectionsFloor& floor) c
     navigation::DoorsOpen open;
     for (const navigation::DirectionsDoor& door : floor.ground.doors())
         // A door that is shutting is treated as shut, because it will be shut when the person arrives.
-        open.push_back(
-            !(context_.world.movers.at_goal(door.mover) == context_.world.scene->movers[door.mover].at(0.0)));
+        open.push_back(context_.world.movers.at_goal(door.mover) == context_.world.scene->movers[door.mover].at(0.0)
+                           ? navigation::DoorState::Shut
+                           : navigation::DoorState::Open);
     return open;
 }
 

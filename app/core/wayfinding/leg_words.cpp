@@ -153,7 +153,7 @@ SpokenLeg spoken_leg(const SessionContext& context, const DirectionsFloor& floor
     const navigation::DirectionsDoor* door =
         at.leg.door == navigation::kNothing ? nullptr : &floor.ground.doors()[at.leg.door];
     if (door) {
-        const bool shut = !open[at.leg.door];
+        const bool shut = open[at.leg.door] == navigation::DoorState::Shut;
         spoken.to = door_words(context, *door, shut);
         spoken.open = shut && context.world.scene->movers[door->mover].by_hand;
         spoken.by_itself = shut && !spoken.open;

@@ -170,6 +170,7 @@ bool RouteDirections::holds() const {
     // leg. A new plan from this place would give the same route again and again.
     if (glm::length(first.from_m - way_.from_m) < kUnmoved_m && way_.open == open_now()) return true;
     navigation::DirectionsRoute left;
+    left.shuts_leaves = way_.route->shuts_leaves;
     left.legs.assign(way_.route->legs.begin() + static_cast<std::ptrdiff_t>(at_), way_.route->legs.end());
     left.legs.front().turn_notches = first.notch - first.from_notch;
     const navigation::DoorsOpen open = open_now();
@@ -252,10 +253,10 @@ std::string RouteDirections::leg() {
     if (state_ != State::Known) return {};
     awaited_ = Awaited::Nothing;
     const std::size_t last = way_.route->legs.size() - 1;
-    const navigation::DoorsOpen open = open_now();
+    const navigation::DoorsOpen open = navigation::doors_on(*way_.route, open_now());
     const auto waits_for_door = [&](std::size_t which) {
         const std::uint32_t door = way_.route->legs[which].door;
-        return door != navigation::kNothing && !open[door];
+        return door != navigation::kNothing && open[door] == navigation::DoorState::Shut;
     };
     const auto is_over = [&](const LegAt& leg) {
         return leg_is_over(*way_.floor, leg, open) ||
@@ -275,7 +276,7 @@ std::string RouteDirections::await(Awaited what) {
 std::string RouteDirections::next_leg() {
     if (state_ != State::Known) return {};
     const std::uint32_t door = way_.route->legs[at_].door;
-    const bool shut = door != navigation::kNothing && !open_now()[door];
+    const bool shut = door != navigation::kNothing && open_now()[door] == navigation::DoorState::Shut;
     awaited_ = Awaited::Nothing;
     if (!shut && !way_.route->whole && at_ + 1 == way_.route->legs.size()) return await(Awaited::NextLeg);
     if (!shut) ++at_;
@@ -300,7 +301,7 @@ std::vector<std::string> RouteDirections::rest() {
             at.from_notch = notch_before;
         }
         legs.push_back(leg_words(spoken_leg(context_, *way_.floor, at, open), distances(context_)));
-        if (at.leg.door != navigation::kNothing) open[at.leg.door] = true;
+        if (at.leg.door != navigation::kNothing) open[at.leg.door] = navigation::DoorState::Open;
         notch_before = at.notch;
     }
     return legs;

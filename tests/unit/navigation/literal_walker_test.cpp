@@ -111,7 +111,7 @@ public:
         std::size_t chosen = doors.size();
         double nearest_m2 = kReach_m * kReach_m;
         for (std::size_t d = 0; d < doors.size(); ++d) {
-            if (open_[d] || !doors[d].opens) continue;
+            if (open_[d] != DoorState::Shut || !doors[d].opens) continue;
             for (const DirectionsDoor::Leaf& leaf : doors[d].leaves) {
                 const double far_m2 =
                     distance_squared(placed_bounds(leaf.own_m, leaf.shut), feet_m() + Vec3(0.0, 0.0, 1.0));
@@ -121,7 +121,7 @@ public:
             }
         }
         if (chosen == doors.size()) return false;
-        open_[chosen] = true;
+        open_[chosen] = DoorState::Open;
         for (std::uint32_t m = 0; m < in_.scene->movers.size(); ++m) {
             if (in_.scene->movers[m].group != doors[chosen].group) continue;
             if (in_.thing_of_mover[m] >= 0)

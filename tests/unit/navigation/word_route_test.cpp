@@ -339,6 +339,38 @@ TEST(DirectionsRoute, does_not_exist_to_an_unreachable_place_or_after_cancellati
     EXPECT_FALSE(planner.plan({2, 4, 0}, 0.0, south, {}, {}, stop.get_token()));
 }
 
+// A lobby between two rooms is so small that the open leaf of its first door leaves no room to reach the second door.
+TEST(DirectionsRoute, shuts_the_door_whose_leaf_leaves_no_room_to_the_next_door) {
+    SceneBuilder b = two_rooms(5.0);
+    wall(b, {4.1, 5.1, 0}, {4.3, 6.4, 2.6});
+    wall(b, {5.7, 5.1, 0}, {5.9, 6.4, 2.6});
+    wall(b, {4.3, 6.3, 0}, {4.55, 6.4, 2.6});
+    wall(b, {5.45, 6.3, 0}, {5.7, 6.4, 2.6});
+    const Room room = room_of(b);
+    const WalkSpace& space = room.navigation->space();
+    DirectionsGoal goal(space.spans.size(), 0);
+    for (std::uint32_t s = 0; s < goal.size(); ++s) goal[s] = space.place_m(s).y > 7.0 ? 1 : 0;
+    const Aabb leaf{{-0.45, -0.02, 0.0}, {0.45, 0.02, 2.1}};
+    const Vec3 from{4.0, 2.0, 0.0};
+    for (const bool blocks : {false, true}) {
+        SCOPED_TRACE(blocks);
+        DirectionsDoor first, second;
+        second.mover = second.group = 1;
+        first.leaves.push_back({leaf, Placement{{5, 5, 0}, {}, 1.0}, Placement{{blocks ? 5.0 : 2.0, 5.7, 0}, {}, 1.0}});
+        second.leaves.push_back({leaf, Placement{{5, 6.35, 0}, {}, 1.0}, Placement{{5, 9.5, 0}, {}, 1.0}});
+        const BlindGround ground(space, {first, second});
+        const DirectionsPlanner planner(ground, kStep_m);
+        const auto route = planner.plan(from, 0.0, goal, ground.all_shut());
+        ASSERT_TRUE(route);
+        EXPECT_EQ(route->shuts_leaves, blocks);
+        EXPECT_GE(route->came, 90);
+        EXPECT_GE(planner.try_out(*route, from, 0.0, goal, ground.all_shut(), {}, 50, 7), 45);
+        DirectionsRoute leaves_open = *route;
+        leaves_open.shuts_leaves = false;
+        EXPECT_EQ(planner.try_out(leaves_open, from, 0.0, goal, ground.all_shut(), {}, 50, 7) == 0, blocks);
+    }
+}
+
 // The platform ends on two sides with a drop of half a metre.
 TEST(DirectionsRoute, never_leads_a_body_with_walking_errors_over_an_edge) {
     SceneBuilder b;
