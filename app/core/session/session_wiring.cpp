@@ -89,6 +89,7 @@ void Session::wire() {
         learn_.place.tick(now_s);
         learn_.ways.tick(now_s);
     };
+    walk_.walking.on_held_at_edge = [this] { guide_.note_stop(kNoFeature); };
     walk_.walking.on_bumped = [this](FeatureId feature, double now_s) {
         lesson_session_.note_bump(feature);
         guide_.note_stop(feature);

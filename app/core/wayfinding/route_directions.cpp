@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/core/context/context_words.h"
+#include "app/core/world/leaf_reach.h"
 #include "app/core/world/questions.h"
 #include "worlds/base/language.h"
 #include "worlds/navigation/stated_rooms.h"
@@ -222,11 +223,15 @@ void RouteDirections::note_stop(FeatureId by) {
 
 // Changes the leg so that it begins with the door that stopped the walker: the person opens a shut door, or shuts an
 // open one whose leaf is in the way. Returns false if no door that opens by hand stopped the walker, or if the same
-// door has stopped it too often.
+// door has stopped it too often. A door that the leg names already counts only within reach: if a wall stopped the
+// walker before the door, the same leg would stop it there again.
 bool RouteDirections::begin_with_door(SpokenLeg& leg) const {
     constexpr int kMostTimes = 4;
-    // The leg already says that the door must be opened or opens automatically.
-    if (leg.open || leg.by_itself) return true;
+    // The leg already says that this door must be opened or opens automatically.
+    if (leg.open || leg.by_itself)
+        if (const int named = mover_of(context_.world, leg.uses);
+            named >= 0 && leaf_in_reach(context_.world, static_cast<std::uint32_t>(named), context_.avatar.feet_m()))
+            return true;
     const int mover = stopped_->door ? mover_of(context_.world, stopped_->door) : -1;
     if (mover < 0 || stopped_->times > kMostTimes ||
         !context_.world.scene->movers[static_cast<std::size_t>(mover)].by_hand)

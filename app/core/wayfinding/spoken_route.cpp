@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "app/core/kept/saved_routes.h"
@@ -167,6 +168,17 @@ std::string SpokenRoute::on_words() {
     const std::string where = where_words(context_, std::hypot(off.x, off.y), std::atan2(off.x, off.y)),
                       all = sentence_case(distance_words(route.length_m, distances(context_)));
     std::string leaf = leaf_on_route(leg->to_m);
+    const bool over_edge = std::any_of(route.passages.begin(), route.passages.end(), [&](const auto& passage) {
+        return passage.kind == navigation::PassageKind::Drop && passage.at_m < leg->along_m + 1.0;
+    });
+    if (leaf.empty() && !over_edge)
+        if (const auto aside_m = place_aside(leg->to_m)) {
+            const Vec3 way = *aside_m - feet_m;
+            return phrase("way.next",
+                          {{"goal", name_},
+                           {"where", where_words(context_, std::hypot(way.x, way.y), std::atan2(way.x, way.y))},
+                           {"all", all}});
+        }
     if (!leaf.empty()) leaf = " " + capitalised(phrase("leg.leaf_in_way", {{"door", leaf}}));
     for (const navigation::RoutePassage& passage : route.passages)
         if (passage.at_m < leg->along_m + 1.0) {
@@ -193,17 +205,55 @@ void SpokenRoute::note_stop(FeatureId by) {
     stopped_ = Stop{by, context_.avatar.feet_m(), context_.avatar.heading_rad, times};
 }
 
+// Returns true if something has just stopped the walker here, on the way to `to_m`.
+bool SpokenRoute::stopped_towards(const Vec3& to_m) const {
+    constexpr double kHere_m = 0.25, kThatWay_rad = 0.8;
+    const Vec3 way = to_m - context_.avatar.feet_m();
+    return stopped_ && glm::length(stopped_->at_m - context_.avatar.feet_m()) < kHere_m &&
+           std::abs(wrap_angle(std::atan2(way.x, way.y) - stopped_->heading_rad)) < kThatWay_rad;
+}
+
+// If anything but a door has just stopped the walker here on the way to `to_m`, returns a place one step aside from
+// which the walker comes closest to `to_m`. The plan passes the obstacle by less than the width of a cell, or the
+// spoken direction, which is rounded, does not pass it. So the same direction would stop the walker again.
+std::optional<Vec3> SpokenRoute::place_aside(const Vec3& to_m) const {
+    // In directions nearer to the obstacle or more straight back, the walker would meet the obstacle again.
+    constexpr int kLeast_notches = 3, kMost_notches = 6;
+    constexpr double kLeast_m = 0.1;
+    if (!stopped_towards(to_m)) return std::nullopt;
+    const Feature* const met = context_.world.scene->find(stopped_->by);
+    const std::shared_ptr<const DirectionsFloor> floor = ground_.floor();
+    if ((met && met->kind == FeatureKind::Door) || !floor) return std::nullopt;
+    const navigation::BlindGround& ground = floor->ground;
+    const navigation::BlindWalker here = ground.body_at(context_.avatar.feet_m());
+    if (here.span == navigation::kNothing) return std::nullopt;
+    const navigation::DoorsOpen open = ground_.open_now(*floor);
+    std::optional<Vec3> best;
+    double best_m = std::numeric_limits<double>::infinity();
+    for (int notches = -kMost_notches; notches <= kMost_notches; ++notches) {
+        if (std::abs(notches) < kLeast_notches) continue;
+        navigation::BlindWalker body = here;
+        ground.walk(body, stopped_->heading_rad + navigation::notch_heading_rad(notches), floor->step_m,
+                    navigation::PaceEnd::Steps, open);
+        const Vec3 aside_m = ground.feet_m(body), way = to_m - aside_m;
+        ground.walk(body, std::atan2(way.x, way.y), std::hypot(way.x, way.y), navigation::PaceEnd::Steps, open);
+        // Of places that are equally good, the one with the most room is best.
+        const double left_m = glm::length(to_m - ground.feet_m(body)) -
+                              static_cast<double>(ground.space().spans[ground.body_at(aside_m).span].clearance_m);
+        if (left_m >= best_m || glm::length(aside_m - context_.avatar.feet_m()) < kLeast_m) continue;
+        best_m = left_m;
+        best = aside_m;
+    }
+    return best;
+}
+
 // Returns the door whose leaf blocks the straight line to `to_m`, or whose leaf has just stopped the walker here. A
 // leaf that meets only a shoulder also blocks, even if the plan passes that leaf. The text is empty if there is no such
 // leaf, or if the leaf has stopped the walker so often that it cannot be the only cause.
 std::string SpokenRoute::leaf_on_route(const Vec3& to_m) const {
-    constexpr double kHere_m = 0.25, kThatWay_rad = 0.8;
     constexpr int kMostTimes = 4;
-    const Vec3& feet_m = context_.avatar.feet_m();
-    std::string leaf = leaf_name(context_, leaf_ahead(context_, std::array{feet_m, to_m}));
-    if (!leaf.empty() || !stopped_ || stopped_->times > kMostTimes || glm::length(stopped_->at_m - feet_m) > kHere_m ||
-        std::abs(wrap_angle(std::atan2(to_m.x - feet_m.x, to_m.y - feet_m.y) - stopped_->heading_rad)) > kThatWay_rad)
-        return leaf;
+    std::string leaf = leaf_name(context_, leaf_ahead(context_, std::array{context_.avatar.feet_m(), to_m}));
+    if (!leaf.empty() || !stopped_towards(to_m) || stopped_->times > kMostTimes) return leaf;
     const int mover = mover_of(context_.world, stopped_->by);
     const Feature* const met = context_.world.scene->find(stopped_->by);
     const bool open = mover >= 0 && met && met->kind == FeatureKind::Door &&

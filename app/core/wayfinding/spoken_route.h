@@ -17,7 +17,7 @@ namespace handrail::core {
 class SpokenRoute : SessionPart {
 public:
     SpokenRoute(const SessionContext& context, Rooms& rooms, RoutePlans& plans, DirectionsGround& ground)
-        : SessionPart(context), rooms_(rooms), plans_(plans), directions_(context, rooms, ground) {}
+        : SessionPart(context), rooms_(rooms), plans_(plans), ground_(ground), directions_(context, rooms, ground) {}
 
     // Announces the route and follows it. If the goal cannot be reached, the route leads to the nearest place that can
     // be reached, and the function returns false. `first` is announced before everything else. Call it only after the
@@ -83,12 +83,15 @@ private:
     std::optional<Vec3> leg_place_m() const;
     void follow_silently(navigation::Route route, const std::string& goal);
     void announce(const std::string& words, cues::SpeechTopic topic, double now_s);
+    bool stopped_towards(const Vec3& to_m) const;
     std::string leaf_on_route(const Vec3& to_m) const;
+    std::optional<Vec3> place_aside(const Vec3& to_m) const;
     RouteFollower::Said tick_words(double now_s);
     void announce_facing(double now_s);
 
     Rooms& rooms_;
     RoutePlans& plans_;
+    DirectionsGround& ground_;
     RouteFollower follower_;
     RouteDirections directions_;
     std::optional<std::uint32_t> room_;  // the room that is the goal, if it can be reached
