@@ -241,8 +241,8 @@ void FirstPerson::draw(const core::ViewState& view, UploadedScene& scene, const 
     const std::string title =
         phrase("window.inset", {{"direction", core::direction_words(towards.heading_rad, view.heading_rad,
                                                                     settings::DirectionChoice::Sides)}});
-    const ImVec2 corner(static_cast<float>(inset.min_px.x) + 4.0F, static_cast<float>(inset.max_px.y) + 4.0F);
     const ImVec2 size = font.CalcTextSizeA(text_px, 1e9F, 0.0F, title.c_str());
+    const ImVec2 corner(static_cast<float>(box.max_px.x) - size.x - 4.0F, static_cast<float>(inset.max_px.y) + 4.0F);
     list.AddRectFilled(corner, {corner.x + size.x + 4.0F, corner.y + size.y}, colour_of(palette.ground));
     list.AddText(&font, text_px, corner, colour_of(palette.text), title.c_str());
 }
