@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/dialogue/command_words.h"
+#include "app/core/dialogue/typed_words.h"
 #include "worlds/base/language.h"
 
 namespace handrail::core {
@@ -61,24 +61,17 @@ using Meanings = std::bitset<kMeanings.size()>;
 
 std::size_t index(Meaning meaning) { return static_cast<std::size_t>(meaning); }
 
-// Splits the text into words in the form in which they are compared. An apostrophe with an s after it is removed:
-// "what's" is "what", and "child's room" is "child room".
-std::vector<std::string> words_in(std::string_view text) {
-    constexpr std::string_view kBetween = " \t\r\n,.;:!?\"()-";
-    std::vector<std::string> words;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find_first_of(kBetween, begin), text.size());
-        std::string word = plain_word(text.substr(begin, end - begin));
-        for (const std::string_view mark : {"'", "\xe2\x80\x99"}) {
-            const std::string ending = std::string(mark) + "s";
-            if (word.ends_with(ending)) word.resize(word.size() - ending.size());
-            for (std::size_t at; (at = word.find(mark)) != std::string::npos;) word.erase(at, mark.size());
-        }
-        if (!word.empty()) words.push_back(std::move(word));
-        begin = end + 1;
-    }
-    return words;
+// Returns the words in the form in which they are compared. An s after an apostrophe is left out: "what's" is "what",
+// and "child's room" is "child room".
+std::vector<std::string> plain(const std::vector<TypedWord>& words) {
+    std::vector<std::string> all;
+    for (const TypedWord& word : words)
+        if (std::string form = word.plain.substr(0, word.plain.size() - (word.has_apostrophe_s ? 1 : 0)); !form.empty())
+            all.push_back(std::move(form));
+    return all;
 }
+
+std::vector<std::string> words_in(std::string_view text) { return plain(typed_words(text)); }
 
 // Returns true if one letter was added, left out or replaced, or two neighbouring letters were exchanged.
 bool one_mistake_apart(std::string_view one, std::string_view other) {
@@ -116,14 +109,11 @@ struct Spotted {
     std::size_t at = 0, size = 0;  // its words
 };
 
-// Splits a text at its bars. Each part is a sequence of words.
-std::vector<std::vector<std::string>> parts_of(const std::string& text) {
+// Returns the parts of a text with this key in settings/languages. Each part is a sequence of words.
+std::vector<std::vector<std::string>> parts_of(std::string_view key) {
     std::vector<std::vector<std::string>> parts;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('|', begin), text.size());
-        parts.push_back(words_in(std::string_view(text).substr(begin, end - begin)));
-        begin = end + 1;
-    }
+    for (const std::vector<TypedWord>& part : typed_parts(phrase("question_word." + std::string(key))))
+        parts.push_back(plain(part));
     return parts;
 }
 
@@ -132,9 +122,8 @@ struct Lexicon {
     std::array<std::vector<std::vector<std::string>>, kMeanings.size()> phrases;
     std::vector<std::vector<std::string>> same;  // pairs of words; the first has the meaning of the second
 
-    Lexicon() : same(parts_of(phrase("question_word.same"))) {
-        for (std::size_t m = 0; m < kMeanings.size(); ++m)
-            phrases[m] = parts_of(phrase("question_word." + std::string(kMeanings[m])));
+    Lexicon() : same(parts_of("same")) {
+        for (std::size_t m = 0; m < kMeanings.size(); ++m) phrases[m] = parts_of(kMeanings[m]);
     }
     // Returns true if a phrase of any meaning begins at this word.
     bool knows(const std::vector<std::string>& words, std::size_t at) const {
@@ -396,8 +385,8 @@ bool has_noun(std::string_view name, CommonNoun noun) {
                                     Meaning::Window, Meaning::Stairs, Meaning::Storey};
     if (noun == CommonNoun::None) return false;
     const std::vector<std::string> words = words_in(name);
-    const std::string key(kMeanings[index(kMeaningOf[static_cast<std::size_t>(noun)])]);
-    for (const std::vector<std::string>& said : parts_of(phrase("question_word." + key)))
+    const std::string_view key = kMeanings[index(kMeaningOf[static_cast<std::size_t>(noun)])];
+    for (const std::vector<std::string>& said : parts_of(key))
         for (std::size_t at = 0; at < words.size(); ++at)
             if (begins(words, at, said)) return true;
     return false;

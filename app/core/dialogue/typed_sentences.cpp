@@ -5,37 +5,14 @@
 #include <vector>
 
 #include "app/core/dialogue/command_words.h"
+#include "app/core/dialogue/typed_words.h"
 #include "worlds/base/language.h"
-#include "worlds/base/text.h"
 
 namespace handrail::core {
 namespace {
 
 constexpr std::string_view kCount = "<count>", kName = "<name>";
 constexpr std::size_t kLongestSentence = 200;  // a line longer than this is not a sentence
-
-struct TypedWord {
-    std::string plain;    // the word in the form in which words are compared
-    std::string written;  // the word as the person typed it
-};
-
-// Splits the text at blanks and punctuation. An apostrophe does not split a word: "what's" becomes "whats".
-std::vector<TypedWord> typed_words(std::string_view text) {
-    constexpr std::string_view kBetween = " \t\r\n,.;:!?\"";
-    std::vector<TypedWord> words;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find_first_of(kBetween, begin), text.size());
-        if (end > begin) {
-            TypedWord word{plain_word(text.substr(begin, end - begin)), std::string(text.substr(begin, end - begin))};
-            for (const std::string_view apostrophe : {"'", "\xe2\x80\x99"})
-                for (std::size_t at; (at = word.plain.find(apostrophe)) != std::string::npos;)
-                    word.plain.erase(at, apostrophe.size());
-            if (!word.plain.empty()) words.push_back(std::move(word));
-        }
-        begin = end + 1;
-    }
-    return words;
-}
 
 // Words of the language spoken that may surround the sentence of a command.
 struct SmallWords {
@@ -68,9 +45,7 @@ int count_of(const std::string& word, const SmallWords& small) {
 // Returns the words from `first` on, as the person typed them, without leading fillers.
 std::string name_from(const std::vector<TypedWord>& words, std::size_t first, const SmallWords& small) {
     while (first + 1 < words.size() && place_among(small.fillers, words[first].plain)) ++first;
-    std::string text;
-    for (; first < words.size(); ++first) text += (text.empty() ? "" : " ") + words[first].written;
-    return text;
+    return written_from(words, first);
 }
 
 // Returns true if the words fit the pattern. A name is the last element of a pattern and stands for all remaining
@@ -99,12 +74,9 @@ bool fits(const std::vector<TypedWord>& pattern, const std::vector<TypedWord>& w
 // Calls `visit` with each pattern of a command. The patterns are separated by bars in `text`.
 template <class Visit>
 void each_pattern(const std::string& text, const SmallWords& small, Visit visit) {
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('|', begin), text.size());
-        std::vector<TypedWord> pattern = typed_words(std::string_view(text).substr(begin, end - begin));
+    for (std::vector<TypedWord> pattern : typed_parts(text)) {
         drop_politeness(pattern, small);
         visit(pattern);
-        begin = end + 1;
     }
 }
 
