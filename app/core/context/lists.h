@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "app/core/context/cues.h"
@@ -15,11 +16,21 @@ public:
 
     void open(ListSpec list, double now_s) {
         if (before_open) before_open();
+        if (takes_) return void(taken_ = std::move(list));
         cues_.answer(dialogue.open(std::move(list)), now_s);
     }
     void request_text(TextSpec question, double now_s) {
         if (before_open) before_open();
         cues_.answer(dialogue.request_text(std::move(question)), now_s);
+    }
+
+    // Returns the list that `opens` opens. The list neither opens nor is announced, because the person has already said
+    // what to choose in it. Returns no value if `opens` opens no list.
+    std::optional<ListSpec> take(const std::function<void()>& opens) {
+        takes_ = true;
+        opens();
+        takes_ = false;
+        return std::exchange(taken_, std::nullopt);
     }
 
     Dialogue dialogue;
@@ -29,6 +40,8 @@ public:
 
 private:
     Cues& cues_;
+    bool takes_ = false;
+    std::optional<ListSpec> taken_;
 };
 
 }  // namespace handrail::core

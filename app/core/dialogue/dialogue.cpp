@@ -53,29 +53,6 @@ const ListItem& entry(const ListSpec& list, std::size_t at) {
     return at < list.items.size() ? list.items[at] : list.hidden[at - list.items.size()];
 }
 
-// Finds an entry by its exact name, by the number of an item, or by the beginning of its name or of a word in it.
-// Hidden entries follow the items. Returns the number of entries if nothing matches. "To the kitchen" finds the
-// kitchen, unless a name begins with "to". Umlauts may be written out.
-std::size_t entry_called(const ListSpec& list, std::string_view typed) {
-    std::size_t number = 0;
-    const std::size_t count = entry_count(list);
-    const auto [end, error] = std::from_chars(typed.data(), typed.data() + typed.size(), number);
-    const bool is_number = error == std::errc{} && end == typed.data() + typed.size();
-    // Platforms and rooms may have numbers as names. A name is preferred to the number of an item, because the person
-    // has heard the name.
-    for (std::size_t i = 0; is_number && i < count; ++i)
-        if (entry(list, i).name == typed) return i;
-    if (is_number && number >= 1 && number <= list.items.size()) return number - 1;
-    const auto is = [](const std::string& name, const std::string& all) { return name == all; };
-    for (const std::string& wanted : {plain_word(typed), plain_word(without_fillers(typed))})
-        for (const auto fits : {+is, begins_with, holds_word})
-            for (std::size_t i = 0; i < count && !wanted.empty(); ++i)
-                if (fits(plain_word(entry(list, i).name), wanted)) return i;
-    for (std::size_t i = 0; i < count; ++i)
-        if (is_also_called(entry(list, i), typed)) return i;
-    return count;
-}
-
 // Joins two sentences, and adds a full stop to the first if it has none.
 std::string sentences(const std::string& first, const std::string& then) {
     const bool ends = !first.empty() && std::string_view(".?!:").find(first.back()) != std::string_view::npos;
@@ -109,6 +86,31 @@ std::string spoken_character(const std::string& character) {
 bool is_called(std::string_view name, std::string_view typed) {
     const std::string is = plain_word(name);
     return is == plain_word(typed) || is == plain_word(without_fillers(typed));
+}
+
+std::optional<std::size_t> entry_called(const ListSpec& list, std::string_view typed) {
+    typed = without_blanks(typed);
+    const std::size_t count = entry_count(list);
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(typed.data(), typed.data() + typed.size(), number);
+    const bool is_number = error == std::errc{} && end == typed.data() + typed.size();
+    // Platforms and rooms may have numbers as names. A name is preferred to the number of an item, because the person
+    // has heard the name.
+    for (std::size_t i = 0; is_number && i < count; ++i)
+        if (entry(list, i).name == typed) return i;
+    if (is_number && number >= 1 && number <= list.items.size()) return number - 1;
+    const auto is = [](const std::string& name, const std::string& all) { return name == all; };
+    for (const std::string& wanted : {plain_word(typed), plain_word(without_fillers(typed))})
+        for (const auto fits : {+is, begins_with, holds_word})
+            for (std::size_t i = 0; i < count && !wanted.empty(); ++i)
+                if (fits(plain_word(entry(list, i).name), wanted)) return i;
+    for (std::size_t i = 0; i < count; ++i)
+        if (is_also_called(entry(list, i), typed)) return i;
+    return std::nullopt;
+}
+
+bool is_called(const ListSpec& list, std::size_t at, std::string_view typed) {
+    return is_called(entry(list, at).name, typed) || is_also_called(entry(list, at), typed);
 }
 
 bool operator==(const ListItem& a, const ListItem& b) {
@@ -308,28 +310,21 @@ DialogueReply Dialogue::line(std::string_view text, double now_s) {
         return DialogueReply{true, false, std::move(all)};
     };
     if (auto done = as_key(word)) return *done;
-    const std::size_t found = entry_called(*list, text);
-    if (found == entry_count(*list)) {
+    const auto found = entry_called(*list, text);
+    if (!found) {
         // Item names are tried before the spoken language's words for keys, because both may begin with the same
         // letters.
         if (auto done = as_key(list_word(text))) return *done;
         return {true, true, phrase("dialogue.not_in_list", {{"typed", text}})};
     }
-    if (found < list->items.size()) list->at = found;
-    return choose(*list, found);
-}
-
-bool Dialogue::holds(std::string_view typed, bool by_all) const {
-    const auto* list = is_open() ? std::get_if<ListSpec>(stack_.back().get()) : nullptr;
-    if (!list) return false;
-    const std::size_t found = entry_called(*list, without_blanks(typed));
-    return found < entry_count(*list) &&
-           (!by_all || is_called(entry(*list, found).name, typed) || is_also_called(entry(*list, found), typed));
+    if (*found < list->items.size()) list->at = *found;
+    return choose(*list, *found);
 }
 
 bool Dialogue::has_use_for(std::string_view line) const {
     const std::string word = list_word(lower_ascii(without_blanks(line)));
-    return word.empty() || word == "list" || !key_of_word(word).empty() || holds(line);
+    const auto* list = is_open() ? std::get_if<ListSpec>(stack_.back().get()) : nullptr;
+    return word.empty() || word == "list" || !key_of_word(word).empty() || (list && entry_called(*list, line));
 }
 
 DialogueReply Dialogue::act(const ItemAct& act, double now_s) {

@@ -93,6 +93,13 @@ struct ItemAct {
 // Returns true if `typed` is this name, perhaps after words such as "to" and "the".
 bool is_called(std::string_view name, std::string_view typed);
 
+// Returns the entry that the line `typed` chooses: by its exact name, by the number of an item, or by the beginning of
+// its name or of a word in it. Hidden entries follow the items. Returns no value if nothing matches. "To the kitchen"
+// finds the kitchen, unless a name begins with "to". Umlauts may be written out.
+std::optional<std::size_t> entry_called(const ListSpec& list, std::string_view typed);
+// Returns true if `typed` is the complete name of this entry, or its `also_typed`.
+bool is_called(const ListSpec& list, std::size_t entry, std::string_view typed);
+
 class Dialogue {
 public:
     // Open a list or a question, and return the text to announce. A list without items does not open, and the text says
@@ -112,10 +119,6 @@ public:
     // - "list", which announces all items,
     // - the number of an item, the beginning of its name, or its `also_typed`.
     DialogueReply line(std::string_view line, double now_s);
-
-    // Returns true if the line `typed` would choose an item of the open list by number or name. If `by_all` is set,
-    // `typed` must be the complete name. Otherwise the beginning of the name or of a word in the name is enough.
-    bool holds(std::string_view typed, bool by_all = false) const;
 
     // Returns true if the open list would accept this line as the name of a key, as "list", or as the choice of an
     // item.

@@ -18,19 +18,11 @@ bool counts_by_itself(Command command) {
     return is_one_of(command, {Command::TrailLeft, Command::TrailRight, Command::Retrace}) || steps_or_turns(command);
 }
 
-// Returns the other list that may contain a choice. The two lists are of things and of rooms.
-std::optional<Command> other_list(Command command) {
-    if (command == Command::Find) return Command::Routes;
-    if (command == Command::Routes) return Command::Find;
-    return std::nullopt;
-}
-
 }  // namespace
 
 void CarriedLines::drop() {
     lines_.clear();
     repeat_left_ = 0;
-    choice_.clear();
 }
 
 std::vector<std::string> CarriedLines::take_rest() {
@@ -65,38 +57,10 @@ bool CarriedLines::take(double now_s) {
         tap(repeat_command_, 1, now_s);
         return true;
     }
-    if (const std::string choice = std::exchange(choice_, {}); !choice.empty() && app_.dialogue().is_open()) {
-        choose(choice, now_s);
-        return true;
-    }
     const auto line = take_next();
     if (!line) return false;
     carry_out(*line, now_s);
     return true;
-}
-
-// Chooses in the list that the last command opened. If the choice is not in it, searches the other list, of rooms or of
-// things. If neither list contains the choice, closes the list, because the person did not request a list.
-void CarriedLines::choose(const std::string& choice, double now_s) {
-    const bool holds = app_.dialogue().holds(choice);
-    const auto other = other_list(repeat_command_);
-    if (other && !looked_elsewhere_ && (!holds || means_room(choice))) {
-        looked_elsewhere_ = true;
-        app_.apply(ListsLeft{}, now_s);
-        repeat_command_ = *other;
-        choice_ = choice;
-        return tap(*other, 1, now_s);
-    }
-    if (holds) return void(app_.apply(LineTyped{choice}, now_s));
-    app_.apply(ListsLeft{}, now_s);
-    app_.apply(Announcement{phrase("terminal.not_found", {{"typed", choice}, {"word", requested_by_}}),
-                            cues::SpeechClass::Answer},
-               now_s);
-}
-
-// Returns true if the choice means a room. "Where is the kitchen" means the room of that name, not the kitchen counter.
-bool CarriedLines::means_room(const std::string& choice) const {
-    return repeat_command_ == Command::Find && !app_.dialogue().holds(choice, true) && app_.guide().leads_to(choice);
 }
 
 void CarriedLines::carry_out(const std::string& line, double now_s) {
@@ -122,9 +86,6 @@ void CarriedLines::carry_out(const std::string& line, double now_s) {
         left_ = true;
     } else if (parsed->command) {
         repeat_command_ = *parsed->command;
-        choice_ = parsed->choice;
-        requested_by_ = spoken_word(repeat_command_);
-        looked_elsewhere_ = false;
         const bool counts = counts_by_itself(repeat_command_);
         repeat_left_ = counts ? 0 : parsed->times - 1;
         tap(repeat_command_, counts ? parsed->times : 1, now_s);

@@ -20,7 +20,7 @@ public:
     void add(std::string line) { lines_.push_back(std::move(line)); }
     std::size_t waiting() const { return lines_.size(); }
     // Returns true if all added lines have been carried out, including their repetitions.
-    bool done() const { return lines_.empty() && repeat_left_ == 0 && choice_.empty(); }
+    bool done() const { return lines_.empty() && repeat_left_ == 0; }
     // Drops all lines that have not been carried out.
     void drop();
     // Drops all lines that have not been carried out, and returns them, so that the caller can carry them out.
@@ -36,18 +36,13 @@ public:
     bool left() const { return left_; }
 
 private:
-    bool means_room(const std::string& choice) const;
     void carry_out(const std::string& line, double now_s);
-    void choose(const std::string& choice, double now_s);
     void tap(Command command, int times, double now_s);
 
     Session& app_;
     std::deque<std::string> lines_;
     Command repeat_command_ = Command::Forward;
-    std::string requested_by_;  // word with which the person would open the list that was searched first
     int repeat_left_ = 0;
-    std::string choice_;             // item to choose in the list that the last command opens
-    bool looked_elsewhere_ = false;  // true: the other list has also been searched
     double settle_until_s_ = 0.0;
     bool left_ = false;
 };

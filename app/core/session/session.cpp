@@ -197,7 +197,7 @@ void Session::answer_what_was_too_early(double now_s) {
     const Questions::TooEarly requested = *std::exchange(questions_.too_early, std::nullopt);
     if (state_.lists.dialogue.is_open()) return;
     if (requested.command) act(*requested.command, now_s);
-    else answer_question(requested.line, now_s);
+    else if (const auto wish = wish_in(requested.line)) grant(*wish, requested.line, now_s);
 }
 
 void Session::place(const Vec3& feet_m, double heading_rad, double now_s) {

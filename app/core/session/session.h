@@ -153,8 +153,13 @@ private:
     bool take_key(std::string_view key, double now_s);
     bool take_text(std::string_view utf8, double now_s);
     bool take_line(std::string_view line, double now_s);
-    bool is_question(std::string_view line) const;
-    bool answer_question(std::string_view line, double now_s);
+    struct Wish {
+        std::optional<Command> command;  // the list in which to choose; none: a question
+        std::string choice;
+    };
+    std::optional<Wish> wish_in(std::string_view line) const;
+    void grant(const Wish& wish, std::string_view line, double now_s);
+    void choose(Command command, const std::string& name, double now_s);
     bool leave_lists(double now_s);
     bool take_act(const ItemAct& act, double now_s);
     void know_stops(std::uint32_t stops, double now_s);

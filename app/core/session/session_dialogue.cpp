@@ -15,12 +15,11 @@ std::string_view without_blanks(std::string_view text) {
     return text;
 }
 
-// Returns true if the line is the word of a command, perhaps with a count or a choice, or a whole sentence for a
-// command.
-bool is_command_line(std::string_view line) {
-    const auto parsed = parse_terminal_line(line);
-    if (!parsed || (!parsed->leave && !parsed->command)) return false;
-    return parsed->choice.empty() || command_of_word(line.substr(0, line.find_first_of(" \t"))) == parsed->command;
+// Returns the other list in which a name may be. The two lists are of things and of rooms.
+std::optional<Command> other_list(Command command) {
+    if (command == Command::Find) return Command::Routes;
+    if (command == Command::Routes) return Command::Find;
+    return std::nullopt;
 }
 
 }  // namespace
@@ -70,10 +69,16 @@ bool Session::take_act(const ItemAct& act, double now_s) {
 bool Session::take_line(std::string_view line, double now_s) {
     const std::string_view bare = without_blanks(line);
     if (lesson_session_.take_line(bare, now_s) || menu_.commands().take_line(bare, now_s)) return true;
-    if (!state_.lists.dialogue.is_open()) return answer_question(bare, now_s);
+    const auto answer_if_wish = [&] {
+        const auto wish = wish_in(bare);
+        if (wish) grant(*wish, bare, now_s);
+        return wish.has_value();
+    };
+    if (!state_.lists.dialogue.is_open()) return answer_if_wish();
     if (const CommandInfo* row = find_command(line); row && in_list(row->command) == InList::Always) return false;
     quiet(now_s);
     const DialogueReply said = state_.lists.dialogue.line(line, now_s);
+    if (!said.denied || state_.lists.dialogue.typing()) return reply(said, now_s);
     const auto requested = [&]() -> std::optional<Command> {
         // While a list is open, a word for leaving the program means Command::Leave, because the word may be meant for
         // the list.
@@ -82,31 +87,59 @@ bool Session::take_line(std::string_view line, double now_s) {
         const auto sentence = typed_sentence(bare);
         return sentence && sentence->choice.empty() ? std::optional(sentence->command) : std::nullopt;
     };
-    if (const auto command = said.denied ? requested() : std::nullopt;
-        command && !state_.lists.dialogue.typing() && in_list(*command) != InList::Waits) {
+    if (const auto command = requested(); command && in_list(*command) != InList::Waits) {
         act(*command, now_s);
         return true;
     }
-    if (said.denied && !state_.lists.dialogue.typing() && is_question(bare)) {
-        leave_lists(now_s);
-        return answer_question(bare, now_s);
-    }
-    return reply(said, now_s);
+    return answer_if_wish() || reply(said, now_s);
 }
 
-// Returns true if the line is no command and contains a question that the session answers.
-bool Session::is_question(std::string_view line) const {
-    return state_.world.scene && !is_command_line(line) && questions_.answers.knows(line);
+// Returns what the line requests beyond the word of a command: the answer to a question, or a choice by name in a list
+// that need not open.
+std::optional<Session::Wish> Session::wish_in(std::string_view line) const {
+    if (!state_.world.scene) return std::nullopt;
+    const auto parsed = parse_terminal_line(line);
+    const bool choice = parsed && parsed->command && !parsed->choice.empty();
+    if (parsed && !choice && (parsed->leave || parsed->command)) return std::nullopt;
+    // A person who types the word of a command wants its list, for example of the ways to find a thing. A route has
+    // only one meaning.
+    const bool by_word = choice && parsed->command != Command::Routes &&
+                         command_of_word(line.substr(0, line.find_first_of(" \t"))) == parsed->command;
+    if (!by_word && questions_.answers.knows(line)) return Wish{};
+    return choice ? std::optional(Wish{parsed->command, parsed->choice}) : std::nullopt;
 }
 
-bool Session::answer_question(std::string_view line, double now_s) {
-    if (!is_question(line)) return false;
+void Session::grant(const Wish& wish, std::string_view line, double now_s) {
+    leave_lists(now_s);
     quiet(now_s);
     where_.rooms.take_refused();  // Forgets refusals to other callers.
     questions_.too_early.reset();
-    questions_.answers.answer(line, now_s);
-    if (where_.rooms.take_refused()) questions_.too_early = Questions::TooEarly{{}, std::string(line), now_s};
-    return true;
+    if (wish.command) choose(*wish.command, wish.choice, now_s);
+    else questions_.answers.answer(line, now_s);
+    if (questions_.too_early || where_.rooms.take_refused())
+        questions_.too_early = Questions::TooEarly{{}, std::string(line), now_s};
+}
+
+// Chooses by name in the list that the command opens. If the name is not in it, searches the other list, of rooms or of
+// things. The list is not announced, because the person did not request to hear it.
+void Session::choose(Command command, const std::string& name, double now_s) {
+    const auto other = other_list(command);
+    std::optional<ListSpec> best;
+    for (const auto each : {std::optional(command), other}) {
+        if (!each) continue;
+        auto list = state_.lists.take([&] {
+            press(*each, now_s);
+            release(*each);
+        });
+        if (!list) return;  // The session has said why there is no list.
+        const auto found = entry_called(*list, name);
+        // "Where is the kitchen" means the room of that name, not the kitchen counter.
+        const bool whole = found && is_called(*list, *found, name);
+        if (found && (whole || !best)) best = std::move(list);
+        if (whole || (found && each != Command::Find)) break;
+    }
+    if (best && best->chosen) return best->chosen(*entry_called(*best, name));
+    answer(phrase("terminal.not_found", {{"typed", name}, {"word", spoken_word(command)}}), now_s);
 }
 
 }  // namespace handrail::core

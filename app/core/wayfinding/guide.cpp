@@ -246,19 +246,6 @@ void Guide::list_routes(double now_s) {
     open_kinds_first(context_, std::move(list), kinds_of_items, now_s);
 }
 
-// While the rooms are not known, compares the text with the room names of the map.
-bool Guide::leads_to(std::string_view typed) const {
-    const std::vector<RoomName>& given = context_.world.scene->room_names;
-    if (!rooms_.found())
-        return std::any_of(given.begin(), given.end(), [&](const RoomName& room) {
-            return is_called(in_spoken_language(room.name, room.name_in), typed);
-        });
-    const std::vector<navigation::Room>& all = rooms_.graph().rooms;
-    for (std::uint32_t r = 0; r < all.size(); ++r)
-        if (r != rooms_.here() && is_called(all[r].name, typed)) return true;
-    return false;
-}
-
 void Guide::list_storeys(double now_s) {
     open_storey_list(
         context_, rooms_, doors_, [this](std::uint32_t room, double then_s) { go_to_room(room, then_s); }, now_s);

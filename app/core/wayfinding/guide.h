@@ -70,8 +70,6 @@ public:
     // Returns the legs that the command RestOfRoute announces, one text each, and ends the guidance. The list is empty
     // if there is no route.
     std::vector<std::string> take_legs();
-    // Returns true if there is a room with this name that the person can choose as a goal.
-    bool leads_to(std::string_view typed) const;
     // Opens the list of the tools to find this thing.
     void open_tools(const Goal& goal, double now_s);
     void mute_beacon(double now_s);

@@ -34,7 +34,7 @@ public:
     std::string reported(const std::string& room) {
         request(Command::Routes);
         // A long list begins with its kinds, and a kind can be called as a room is.
-        if (const std::string all = phrase("kinds.everything"); session_.dialogue().holds(all, true))
+        if (const std::string all = phrase("kinds.everything"); session_.dialogue().has_use_for(all))
             session_.apply(LineTyped{all}, now_s_);
         EXPECT_TRUE(session_.apply(LineTyped{room}, now_s_)) << room;
         tick(3);

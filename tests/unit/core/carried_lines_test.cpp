@@ -70,6 +70,19 @@ TEST_F(CarriedLinesInTheHouse, choose_from_the_open_list_before_they_count_as_co
     EXPECT_NE(type("escape").find("Closed"), std::string::npos);
 }
 
+TEST_F(CarriedLinesInTheHouse, choose_by_name_without_a_word_of_the_lists_that_are_searched) {
+    for (const auto& [line, answer] :
+         {std::pair("route to clock", "Follow the beacon to Grandfather clock"),
+          std::pair("routes kitchen", "To Kitchen"),
+          std::pair("route to the grandfather clock", "Follow the beacon to Grandfather clock"),
+          std::pair("find piano", "Piano"), std::pair("find bedroom", "To Bedroom"),
+          std::pair("describe the kitchen", "Kitchen: 4.5 by 3 metres"), std::pair("where is the piano", "Piano: ")}) {
+        const std::string said = type(line);
+        EXPECT_TRUE(said.starts_with(answer)) << line << ": " << said;
+        EXPECT_EQ(list_is_open(), std::string_view(line) == "find piano") << line;
+    }
+}
+
 TEST_F(CarriedLinesInTheHouse, open_no_list_that_the_person_did_not_request) {
     for (const auto& [line, answer] :
          {std::pair("where is the unicorn", "Nothing called \"unicorn\" was found. Type find to hear what there is."),

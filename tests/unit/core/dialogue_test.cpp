@@ -99,14 +99,14 @@ TEST(Dialogue, finds_an_item_by_its_typed_alternatives) {
     };
     for (const char* typed : {"where it is", "where is it", "Where is it?", "Where it"}) {
         open();
-        EXPECT_TRUE(dialogue.holds(typed)) << typed;
+        EXPECT_TRUE(dialogue.has_use_for(typed)) << typed;
         chosen = 9;
         EXPECT_TRUE(dialogue.line(typed, 0.0).taken);
         EXPECT_EQ(chosen, 1U) << typed;
     }
     open();
-    EXPECT_TRUE(dialogue.holds("where is it?", true));
-    EXPECT_FALSE(dialogue.holds("where is the kitchen"));
+    EXPECT_TRUE(dialogue.has_use_for("where is it?"));
+    EXPECT_FALSE(dialogue.has_use_for("where is the kitchen"));
     EXPECT_EQ(dialogue.line("list", 0.0).words, "Clock. 1: Beacon. 2: Where it is, 3 steps.") << "it is not said";
 }
 

@@ -77,7 +77,7 @@ public:
         for (std::size_t which = 0;; ++which) {
             tap(Command::Find);
             // A long list begins with its kinds.
-            if (const std::string all = phrase("kinds.everything"); app().dialogue().holds(all, true)) line(all);
+            if (const std::string all = phrase("kinds.everything"); app().dialogue().has_use_for(all)) line(all);
             const std::vector<ListItem> items = app().dialogue().view().items;
             const auto at = std::find_if(items.begin(), items.end(), [&](const ListItem& i) { return i.name == name; });
             if (at == items.end()) return false;

@@ -56,7 +56,7 @@ std::map<std::string, std::string> exits_announced(AppSession& s) {
 std::map<std::string, std::string> list_announced(AppSession& s, Command command) {
     s.request(command);
     // A long list begins with kinds.
-    if (s.app.dialogue().holds(phrase("kinds.everything"), true)) s.line(phrase("kinds.everything"));
+    if (s.app.dialogue().has_use_for(phrase("kinds.everything"))) s.line(phrase("kinds.everything"));
     std::map<std::string, std::string> listed;
     for (const ListItem& item : s.app.dialogue().view().items) listed.emplace(item.name, item.value);
     while (s.app.dialogue().is_open()) s.app.apply(KeyTapped{"Escape"}, s.now);

@@ -172,8 +172,8 @@ TEST(TypedSentences, choose_from_a_list_by_names_without_articles_or_with_umlaut
     list.chosen = [&](std::size_t i) { chosen.push_back(i); };
     list.stays_open = true;
     dialogue.open(list);
-    EXPECT_TRUE(dialogue.holds("in die Küche"));
-    EXPECT_FALSE(dialogue.holds("in den Keller"));
+    EXPECT_TRUE(dialogue.has_use_for("in die Küche"));
+    EXPECT_FALSE(dialogue.has_use_for("in den Keller"));
     dialogue.line("kueche", 0.0);
     dialogue.line("zum Flur", 0.0);
     dialogue.line("zur alten post", 0.0);
