@@ -189,9 +189,19 @@ std::vector<Spotted> partly_spotted_in(const std::vector<std::string>& words, st
     return {};
 }
 
+// Returns true if the room or door is called "Room" or "Door". A question with that word means no certain one.
+bool is_called_by_its_kind(const NameInWorld& name, const Lexicon& lexicon) {
+    if (name.kind == NamedKind::Thing) return false;
+    const std::vector<std::string> words = words_in(name.name);
+    const Meaning meaning = name.kind == NamedKind::Room ? Meaning::Room : Meaning::Door;
+    const auto& all = lexicon.phrases[index(meaning)];
+    return std::find(all.begin(), all.end(), words) != all.end();
+}
+
 std::vector<Spotted> names_in(const std::vector<std::string>& words, std::span<const NameInWorld> names,
                               const Lexicon& lexicon) {
     std::vector<Spotted> found = spotted_in(words, names);
+    std::erase_if(found, [&](const Spotted& each) { return is_called_by_its_kind(names[each.name], lexicon); });
     return found.empty() ? partly_spotted_in(words, names, lexicon) : found;
 }
 
@@ -290,6 +300,7 @@ const std::vector<Rule>& rules() {
         {Kind::WhereIs, About::Place, {}, {}, {}, true},
 
         {Kind::Home, About::Nothing, these(Home, Go)},
+        {Kind::HowFar, About::Nothing, these(Far), nouns},
         {Kind::SizeOf, About::Nothing, these(Size), {}, these(HowMany, Storey)},
         {Kind::SizeOf, About::Nothing, these(Size, Unit)},
         {Kind::Nearest, About::Nothing, these(Nearest), nouns},

@@ -178,10 +178,12 @@ std::optional<FeatureId> Answers::nearest_door() const {
     const Vec3& feet_m = context_.avatar.feet_m();
     std::optional<FeatureId> nearest;
     double nearest_m = 0.0;
-    for (const RoomDoor& door : doors_of_room(context_, rooms_)) {
-        const double far_m = glm::length(door.place_m - feet_m);
-        if (nearest && far_m >= nearest_m) continue;
-        nearest = door.feature;
+    for (const navigation::Portal& portal : rooms_.graph().portals) {
+        const bool here = portal.rooms[0] == rooms_.here() || portal.rooms[1] == rooms_.here();
+        const double far_m = glm::length(portal.place_m - feet_m);
+        if (portal.kind != navigation::PassageKind::Door || !portal.feature || !here || (nearest && far_m >= nearest_m))
+            continue;
+        nearest = portal.feature;
         nearest_m = far_m;
     }
     if (nearest) return nearest;
@@ -339,16 +341,25 @@ void Answers::go_to(const Named& named, double now_s) {
     guide_.go_to_thing(*named.goal, now_s);
 }
 
-// Returns the room among these whose doorway is nearest on foot.
+// Returns the room among these whose doorway is nearest on foot. Nobody wants to go to the cabin of a lift, so another
+// room is preferred.
 std::uint32_t Answers::first_room_of(const std::vector<std::uint32_t>& among) const {
     const navigation::RoomGraph& graph = rooms_.graph();
     const navigation::FootDistances on_foot(graph, rooms_.here(), context_.avatar.feet_m());
     std::uint32_t first = among.front();
     double first_m = std::numeric_limits<double>::infinity();
+    std::vector<bool> has_lift(graph.rooms.size(), false);
+    for (const navigation::Portal& portal : graph.portals)
+        for (const std::uint32_t room : portal.rooms)
+            if (portal.kind == navigation::PassageKind::Lift && room < has_lift.size()) has_lift[room] = true;
+    const bool all_have = std::all_of(among.begin(), among.end(), [&](std::uint32_t room) { return has_lift[room]; });
+    const auto may_be_goal = [&](std::uint32_t room) {
+        return std::find(among.begin(), among.end(), room) != among.end() && (all_have || !has_lift[room]);
+    };
     for (std::uint32_t p = 0; p < graph.portals.size(); ++p)
         for (const std::uint32_t room : graph.portals[p].rooms) {
             const double far_m = on_foot.to_portal(p).value_or(std::numeric_limits<double>::infinity());
-            if (far_m >= first_m || std::find(among.begin(), among.end(), room) == among.end()) continue;
+            if (far_m >= first_m || !may_be_goal(room)) continue;
             first = room;
             first_m = far_m;
         }

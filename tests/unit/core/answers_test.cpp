@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/names.h"
+#include "tests/support/real_worlds.h"
 #include "tests/unit/core/app_session.h"
 
 namespace handrail {
@@ -13,8 +14,9 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 struct Visitor : AppSession {
-    explicit Visitor(const char* world = "house.map") {
-        app.apply(WorldEntered{make_ready(test::our_world(world))}, 0.0);
+    explicit Visitor(const char* world = "house.map") : Visitor(test::our_world(world)) {}
+    explicit Visitor(std::shared_ptr<const Scene> world) {
+        app.apply(WorldEntered{make_ready(std::move(world))}, 0.0);
         run(0.1);
         request(Command::Exits);
         run(0.1);
@@ -37,6 +39,21 @@ TEST(Answers, state_where_things_and_rooms_are) {
     EXPECT_EQ(s.typed("which room is the sofa in"), "Sofa is in Living room.");
     EXPECT_THAT(s.typed("fridge?"), StartsWith("Refrigerator: "));
     EXPECT_THAT(s.typed("where is the nearest door"), StartsWith("Front door: 1 step behind"));
+}
+
+TEST(Answers, lead_to_no_cabin_of_a_lift_on_the_next_storey) {
+    Visitor s("school.map");
+    EXPECT_THAT(s.typed("how do I go upstairs"), StartsWith("To Upper corridor. "));
+}
+
+TEST(Answers, mean_the_nearest_door_if_every_door_has_the_same_name) {
+    const auto file = test::real_world("duplex-apartment.ifc");
+    if (!file) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
+    Visitor s(test::world_in(*file));
+    EXPECT_EQ(s.typed("which door"), "Door, 2 steps ahead, leads to Foyer.");
+    EXPECT_EQ(s.typed("how far is the door"), "Door: 2 steps ahead.");
+    EXPECT_THAT(s.typed("how big is this room"), StartsWith("Ground outside: "));
+    EXPECT_THAT(s.typed("where is the toilet"), StartsWith("Bathroom "));
 }
 
 TEST(Answers, count_what_the_world_contains) {

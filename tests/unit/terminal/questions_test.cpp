@@ -175,6 +175,17 @@ TEST(Questions, find_a_name_by_one_of_its_words_and_by_another_word_for_the_thin
     EXPECT_FALSE(name_in("nothing of that kind", all));
 }
 
+TEST(Questions, mean_no_certain_room_or_door_by_a_name_that_is_only_its_kind) {
+    const std::vector<NameInWorld> all{
+        {"Door", NamedKind::Door}, {"Room", NamedKind::Room}, {"Bathroom 1", NamedKind::Room}};
+    EXPECT_EQ(question_in("which door", all), (Question{QuestionKind::WhichDoor, {}, CommonNoun::Door}));
+    EXPECT_EQ(question_in("is the door open", all), (Question{QuestionKind::IsOpen, {}, CommonNoun::Door}));
+    EXPECT_EQ(question_in("how big is this room", all), (Question{QuestionKind::SizeOf, {}, CommonNoun::Room}));
+    EXPECT_EQ(question_in("how far is the door", all), (Question{QuestionKind::HowFar, {}, CommonNoun::Door}));
+    EXPECT_EQ(question_in("where is the door", all), (Question{QuestionKind::Nearest, {}, CommonNoun::Door}));
+    EXPECT_EQ(question_in("where is the toilet", all), (Question{QuestionKind::WhereIs, 2, {}}));
+}
+
 TEST(Questions, can_contain_any_bytes) {
     const std::vector<NameInWorld> all = names("en");
     std::string line = "where is the kitchen";
