@@ -21,6 +21,9 @@ public:
     std::optional<double> to(std::uint32_t room, const Vec3& place_m) const;
     // Returns the distance to the doorway with this index in RoomGraph::portals. Returns nothing if no route is known.
     std::optional<double> to_portal(std::uint32_t portal) const;
+    // Returns the portals on the shortest of these routes to a place in `room`, in order: indices in
+    // RoomGraph::portals. Returns nothing if no route is known.
+    std::vector<std::uint32_t> portals_to(std::uint32_t room, const Vec3& place_m) const;
 
 private:
     std::vector<Portal> portals_;
@@ -28,6 +31,7 @@ private:
     Vec3 feet_m_;
     std::vector<std::vector<std::uint32_t>> portals_of_;  // for each room: the indices of its portals
     std::vector<double> portal_m_;                        // distance to each portal; infinity: not reached
+    std::vector<std::uint32_t> before_;                   // for each portal: the portal before it; kNothing: none
 };
 
 }  // namespace handrail::navigation

@@ -55,6 +55,16 @@ double shortest_m(const RoomGraph& graph, std::uint32_t from, const Vec3& from_m
     return d[1];
 }
 
+// Returns the distance through these portals, one after the other.
+double through_m(const RoomGraph& graph, const std::vector<std::uint32_t>& portals, Vec3 at_m, const Vec3& to_m) {
+    double all_m = 0.0;
+    for (const std::uint32_t p : portals) {
+        all_m += glm::length(graph.portals[p].place_m - at_m);
+        at_m = graph.portals[p].place_m;
+    }
+    return all_m + glm::length(to_m - at_m);
+}
+
 TEST(FootDistances, are_correct_for_all_pairs_of_doorways_in_random_buildings) {
     std::random_device seeds;
     const unsigned seed = seeds();
@@ -72,6 +82,9 @@ TEST(FootDistances, are_correct_for_all_pairs_of_doorways_in_random_buildings) {
                 const double twin_m = shortest_m(graph, from, from_m, to, to_m);
                 ASSERT_EQ(reported.has_value(), twin_m < kNever_m);
                 EXPECT_NEAR(reported.value_or(0.0), reported ? twin_m : 0.0, 1e-9);
+                const std::vector<std::uint32_t> portals = on_foot.portals_to(to, to_m);
+                if (reported) EXPECT_NEAR(through_m(graph, portals, from_m, to_m), twin_m, 1e-9);
+                else EXPECT_TRUE(portals.empty());
                 ++(reported ? reached : not_reached);
             }
         }
@@ -89,6 +102,8 @@ TEST(FootDistances, from_an_unreachable_start_reach_nothing) {
     EXPECT_FALSE(on_foot.to_portal(0));
     EXPECT_FALSE(on_foot.to_portal(7));
     EXPECT_FALSE(on_foot.to(9, {}));
+    EXPECT_TRUE(on_foot.portals_to(0, {}).empty());
+    EXPECT_TRUE(on_foot.portals_to(9, {}).empty());
 }
 
 }  // namespace foot_distances_test
