@@ -210,7 +210,7 @@ void Guide::list_routes(double now_s) {
     // rooms farther away, the distance on foot is announced only after the choice.
     const std::size_t planned = std::min(near.size(), kMostOnFoot);
     for (std::size_t i = 0; i < planned; ++i)
-        if (const navigation::Route route = ear_.to_room(near[i].room); route.reaches) {
+        if (const navigation::Route route = ear_.to_room(near[i].room, on_foot); route.reaches) {
             near[i].order_m = route.length_m;
             near[i].way_m = route.length_m;
         }

@@ -36,6 +36,8 @@ std::string notch_words(int notches) {
 
 Vec2 level(const Vec3& way) { return {way.x, way.y}; }
 
+double spoken_metres(int steps, const DistanceWords& how) { return std::round(2.0 * steps * how.step_length_m) / 2.0; }
+
 // Returns the distance from `from_m` to `to_m` in the direction of the leg.
 double along_m(int notch, const Vec3& from_m, const Vec3& to_m) {
     const Vec3 ahead = forward_of_heading(navigation::notch_heading_rad(notch));
@@ -112,12 +114,9 @@ void add_leaf(SpokenLeg& spoken, const SessionContext& context, std::span<const 
 }  // namespace
 
 std::string leg_words(const SpokenLeg& leg, const DistanceWords& how) {
-    const auto far = [&](int steps) {
-        return how.in_steps ? phrase("words.steps", {{"steps", steps}})
-                            : phrase("words.metres", {{"metres", std::round(2.0 * steps * how.step_length_m) / 2.0}});
-    };
     std::string text = phrase("route.first", {{"turn", notch_words(leg.turn_notches)}}) + " ";
-    const std::string distance = far(leg.steps);
+    const std::string distance = how.in_steps ? phrase("words.steps", {{"steps", leg.steps}})
+                                              : phrase("words.metres", {{"metres", spoken_metres(leg.steps, how)}});
     if (leg.end == navigation::PaceEnd::Stairs) {
         const std::string flight = phrase(leg.risers == 0 ? (leg.up ? "leg.ramp_up" : "leg.ramp_down")
                                                           : (leg.up ? "leg.stairs_up" : "leg.stairs_down"),
@@ -143,6 +142,19 @@ std::string leg_words(const SpokenLeg& leg, const DistanceWords& how) {
     return text;
 }
 
+std::string total_words(std::span<const SpokenLeg> legs, const DistanceWords& how) {
+    int steps = 0, risers = 0;
+    double metres = 0.0;
+    for (const SpokenLeg& leg : legs) {
+        steps += leg.steps;
+        metres += spoken_metres(leg.steps, how);
+        if (leg.end == navigation::PaceEnd::Stairs) risers += leg.risers;
+    }
+    const std::string distance =
+        how.in_steps ? phrase("words.steps", {{"steps", steps}}) : phrase("words.metres", {{"metres", metres}});
+    return risers == 0 ? distance : phrase("leg.and_stairs", {{"distance", distance}, {"risers", risers}});
+}
+
 SpokenLeg spoken_leg(const SessionContext& context, const DirectionsFloor& floor, const LegAt& at,
                      const navigation::DoorsOpen& open) {
     SpokenLeg spoken;
@@ -155,9 +167,11 @@ SpokenLeg spoken_leg(const SessionContext& context, const DirectionsFloor& floor
     if (door) {
         const bool shut = open[at.leg.door] == navigation::DoorState::Shut;
         spoken.to = door_words(context, *door, shut);
-        spoken.open = shut && context.world.scene->movers[door->mover].by_hand;
-        spoken.by_itself = shut && !spoken.open;
-        if (shut) spoken.uses = door->feature;
+        // A route that ends in front of a door does not lead through it.
+        const bool through = shut && at.goal.empty();
+        spoken.open = through && context.world.scene->movers[door->mover].by_hand;
+        spoken.by_itself = through && !spoken.open;
+        if (through) spoken.uses = door->feature;
     }
     if (at.leg.end == navigation::PaceEnd::Steps) {
         spoken.steps = std::max(1, static_cast<int>(std::lround(counted_left(floor, at))));

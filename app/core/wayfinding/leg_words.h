@@ -4,6 +4,7 @@
 // world metres.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "app/core/context/session_context.h"
@@ -26,6 +27,9 @@ struct SpokenLeg {
     std::string clue = {};        // a sentence with a clue that the leg is right; may be empty
 };
 std::string leg_words(const SpokenLeg& leg, const DistanceWords& how);
+// Returns the length of a route as the person hears it in these legs: "13 steps and 17 stairs". The stairs are those of
+// the flights at whose end a leg ends; the steps of other legs include the flights that they cross.
+std::string total_words(std::span<const SpokenLeg> legs, const DistanceWords& how);
 
 // A leg as the person walks it from the present place. `planned_from_m` is where the plan begins the leg, and `notch`
 // is the direction of the leg. If it is the last leg, `goal` is the name of its end.

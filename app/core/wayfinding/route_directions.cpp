@@ -290,13 +290,24 @@ std::string RouteDirections::next_leg() {
 }
 
 std::vector<std::string> RouteDirections::rest() {
-    if (state_ != State::Known || !holds()) plan();
+    if (state_ == State::Known && !holds()) plan();
     if (state_ != State::Known) return {};
     if (!way_.route->whole) {
         awaited_ = Awaited::Rest;
         return {};
     }
     std::vector<std::string> legs;
+    for (const SpokenLeg& leg : spoken_rest()) legs.push_back(leg_words(leg, distances(context_)));
+    return legs;
+}
+
+std::optional<std::string> RouteDirections::total_words() const {
+    if (state_ != State::Known || !way_.route->whole) return std::nullopt;
+    return core::total_words(spoken_rest(), distances(context_));
+}
+
+std::vector<SpokenLeg> RouteDirections::spoken_rest() const {
+    std::vector<SpokenLeg> legs;
     navigation::DoorsOpen open = open_now();
     int notch_before = 0;
     for (std::size_t i = at_; i < way_.route->legs.size(); ++i) {
@@ -305,7 +316,7 @@ std::vector<std::string> RouteDirections::rest() {
             at.from_m = at.planned_from_m;
             at.from_notch = notch_before;
         }
-        legs.push_back(leg_words(spoken_leg(context_, *way_.floor, at, open), distances(context_)));
+        legs.push_back(spoken_leg(context_, *way_.floor, at, open));
         if (at.leg.door != navigation::kNothing) open[at.leg.door] = navigation::DoorState::Open;
         notch_before = at.notch;
     }

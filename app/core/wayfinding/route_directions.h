@@ -53,6 +53,9 @@ public:
     std::string next_leg();
     // Returns all remaining legs in order.
     std::vector<std::string> rest();
+    // Returns the length of the remaining legs in words, as rest() gives them. Returns no value if not all legs are
+    // known.
+    std::optional<std::string> total_words() const;
     // Call it when the feature `by` has stopped the walker at its present place and heading. If a leg continues in that
     // direction, that leg then begins with the door that stopped the walker. If the cause was not a door, the spoken
     // directions end.
@@ -85,6 +88,7 @@ private:
     bool in_outline(const Vec3& feet_m) const;
     bool holds() const;
     std::string directions();
+    std::vector<SpokenLeg> spoken_rest() const;
     navigation::DoorsOpen open_now() const { return ground_.open_now(*way_.floor); }
 
     Rooms& rooms_;

@@ -1,5 +1,7 @@
 #include "app/core/wayfinding/route_words.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -56,22 +58,32 @@ std::vector<RouteNode> nodes_of(const navigation::Route& route, const std::strin
     return nodes;
 }
 
-std::string route_words(const navigation::Route& route, const std::vector<RouteNode>& nodes, double heading_rad,
-                        const DistanceWords& how) {
-    if (route.points_m.size() < 2 || nodes.empty()) return phrase("route.there");
-    std::string text = capitalised(phrase("route.in_all", {{"distance", distance_words(route.length_m, how)}}));
-    // The sentence says first what to do, then how far, and then to what.
+std::vector<std::string> route_legs(const navigation::Route& route, const std::vector<RouteNode>& nodes,
+                                    double heading_rad, const DistanceWords& how) {
+    std::vector<std::string> legs;
+    if (route.points_m.size() < 2) return legs;
+    // A leg says first what to do, then how far, and then to what.
     std::string turn = turn_words(wrap_angle(bearing(route.points_m[0], route.points_m[1]) - heading_rad));
     double before = 0.0;
     for (const RouteNode& node : nodes) {
-        if (!turn.empty()) text += " " + capitalised(phrase("route.first", {{"turn", turn}}));
         const std::string distance = distance_words(node.at_m - before, how);
-        text += " " + capitalised(phrase(node.what.empty() ? "route.leg" : "route.leg_to",
-                                         {{"distance", distance}, {"what", node.what}}));
+        std::string leg = turn.empty() ? turn : capitalised(phrase("route.first", {{"turn", turn}})) + " ";
+        leg += capitalised(
+            phrase(node.what.empty() ? "route.leg" : "route.leg_to", {{"distance", distance}, {"what", node.what}}));
+        legs.push_back(std::move(leg));
         turn = turn_words(node.turn_rad);
         before = node.at_m;
     }
-    return text;
+    return legs;
+}
+
+std::string route_words(const navigation::Route& route, std::vector<std::string> legs, const DistanceWords& how,
+                        std::size_t most) {
+    if (legs.empty()) return phrase("route.there");
+    if (legs.size() > most) legs.resize(most);
+    legs.insert(legs.begin(),
+                capitalised(phrase("route.in_all_about", {{"distance", distance_words(route.length_m, how)}})));
+    return fmt::format("{}", fmt::join(legs, " "));
 }
 
 void RouteFollower::follow(navigation::Route route, std::vector<RouteNode> nodes) {

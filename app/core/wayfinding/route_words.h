@@ -26,10 +26,14 @@ struct RouteNode {
 std::vector<RouteNode> nodes_of(const navigation::Route& route, const std::string& goal,
                                 const std::function<std::string(const navigation::RoutePassage&)>& name_of);
 
-// Returns "28 steps in all. Turn slightly left. 14 steps. Turn right. 4 steps to Front door. Turn left. 10 steps to
-// Kitchen." `heading_rad` is the direction that the person faces.
-std::string route_words(const navigation::Route& route, const std::vector<RouteNode>& nodes, double heading_rad,
-                        const DistanceWords& how);
+// Returns the legs of a route, one text each: "Turn slightly left. 14 steps.", "Turn right. 4 steps to Front door."
+// `heading_rad` is the direction that the person faces. The result is empty if the person is at the goal.
+std::vector<std::string> route_legs(const navigation::Route& route, const std::vector<RouteNode>& nodes,
+                                    double heading_rad, const DistanceWords& how);
+// Returns the length of a route and its first `most` legs: "About 28 steps in all. Turn slightly left. 14 steps." The
+// length is approximate, because each leg is rounded.
+std::string route_words(const navigation::Route& route, std::vector<std::string> legs, const DistanceWords& how,
+                        std::size_t most = SIZE_MAX);
 
 // Follows a walker along a route. Announces each feature once when it is 6 m ahead. When the walker reaches it,
 // announces it again with the next turn. After every 10 m without an announcement, says that the person is on the

@@ -41,56 +41,97 @@ void SpokenRoute::stop() {
     announced_.reset();
     stopped_.reset();
     preference_ = navigation::RoutePreference::Safest;
-    faces_ = rest_requested_ = false;
+    unfinished_.reset();
+    faces_ = rest_requested_ = length_owed_ = false;
 }
 
-SpokenRoute::RoomRoute SpokenRoute::route_to(std::uint32_t room) const {
+SpokenRoute::RoomRoute SpokenRoute::route_to(std::uint32_t room, const navigation::FootDistances& on_foot) const {
     const Vec3 from_m = context_.avatar.feet_m(),
                to_m = navigation::goal_in_room(rooms_.navigation(), rooms_.graph(), room, from_m);
-    // Directions leg by leg are impossible for a door that waits for a button.
     const auto describable_by_legs = [&](const navigation::Route& way) {
         return way.reaches && way.points_m.size() > 1 &&
                std::all_of(way.passages.begin(), way.passages.end(), [&](const navigation::RoutePassage& passage) {
-                   return (passage.kind == navigation::PassageKind::Door ||
-                           passage.kind == navigation::PassageKind::Opening ||
-                           passage.kind == navigation::PassageKind::Stairs) &&
-                          lock_words(context_, passage.feature).empty();
+                   return has_legs(context_, passage.kind, passage.feature);
                });
     };
+    if (auto far = far_route(context_, rooms_, room, to_m, on_foot)) return {std::move(*far), true};
     navigation::Route route = rooms_.navigation().plan(from_m, to_m);
-    if (describable_by_legs(route)) return {std::move(route), true};
+    if (describable_by_legs(route)) return {{std::move(route)}, true};
     // Directions leg by leg are more reliable than a lift, so stairs are preferred if the route over them is not much
     // longer.
     if (route.reaches) {
         navigation::Route foot = rooms_.navigation().plan(from_m, to_m, navigation::RoutePreference::OnFoot);
         if (describable_by_legs(foot) && foot.length_m < kLongerOnFoot * route.length_m + kLongerOnFoot_m)
-            return {std::move(foot), true};
+            return {{std::move(foot)}, true};
     }
-    return {std::move(route), false};
+    return {{std::move(route)}, false};
+}
+
+// Returns the route to a room as follow_to() plans it.
+navigation::Route SpokenRoute::planned_to(std::uint32_t room) const {
+    const Vec3 from_m = context_.avatar.feet_m();
+    return rooms_.navigation().plan(from_m,
+                                    navigation::goal_in_room(rooms_.navigation(), rooms_.graph(), room, from_m));
+}
+
+// Plans more of an unfinished route. The route that is followed changes once it is finished.
+void SpokenRoute::plan_on() {
+    if (!unfinished_) return;
+    const bool planned_on = plan_stretch(rooms_, *unfinished_);
+    if (planned_on && !unfinished_->ahead_m.empty()) return;
+    const FarRoute far = *std::exchange(unfinished_, std::nullopt);
+    follow_silently(planned_on ? far.route : planned_to(*room_), std::string(name_));
+}
+
+navigation::Route SpokenRoute::to_room(std::uint32_t room, const navigation::FootDistances& on_foot) const {
+    return with_straight_lines(route_to(room, on_foot).far);
 }
 
 bool SpokenRoute::follow_to_room(std::uint32_t room, const std::string& first, double now_s) {
     const std::string name = sentence_case(rooms_.graph().rooms[room].name);
-    auto [route, by_legs] = route_to(room);
-    const auto follow_whole = [&, way = &route] {
-        if (!follow(std::move(*way), name, first, now_s)) return false;
+    RoomRoute way = route_to(room, {rooms_.graph(), rooms_.here(), context_.avatar.feet_m()});
+    const auto follow_whole = [&] {
+        if (!follow(way.far.ahead_m.empty() ? way.far.route : planned_to(room), name, first, now_s)) return false;
         room_ = room;
         return true;
     };
-    if (!by_legs) return follow_whole();
+    if (!way.by_legs) return follow_whole();
     stop();
     preference_ = navigation::RoutePreference::OnFoot;
     directions_.begin(room, name);
     if (!directions_.at_work()) return follow_whole();
     room_ = room;
+    to_nearest_ = false;
+    const navigation::Route route = with_straight_lines(way.far);
+    follow_silently(route, name);
+    if (!way.far.ahead_m.empty()) unfinished_ = std::move(way.far);
+    // The first call may skip legs that are already over, so the length is announced without them.
+    const std::string leg = directions_.leg();
     std::string words = first.empty() ? first : first + ' ';
-    words += phrase("rooms.way", {{"goal", name}, {"route", overview_words(context_, rooms_, route)}});
-    if (const std::string leg = directions_.leg(); !leg.empty()) words += ' ' + leg;
+    words += phrase("rooms.way", {{"goal", name}, {"route", overview(route)}});
+    if (!leg.empty()) words += ' ' + leg;
+    length_owed_ = directions_.state() == RouteDirections::State::Planned;
     context_.announce(cues::SpeechTopic::Summary, std::move(words), now_s);
     context_.events.report(Led{name, LedBy::Ear}, now_s);
-    to_nearest_ = false;
-    follow_silently(std::move(route), name);
     return true;
+}
+
+// Returns the length of the route and the rooms on it. While the first legs are being planned, returns the rooms only.
+std::string SpokenRoute::overview(const navigation::Route& route) const {
+    const std::string through = rooms_between(rooms_, route);
+    if (directions_.state() != RouteDirections::State::Planned) return length_words(through);
+    return through.empty() ? phrase("leg.looks") : phrase("route.through", {{"rooms", through}});
+}
+
+// Returns the length of the route that is followed, through these rooms. The length is the sum of the legs that the
+// person hears; it is approximate while their rest is being planned.
+std::string SpokenRoute::length_words(const std::string& through) const {
+    const auto total = directions_.total_words();
+    const std::string distance = total ? *total : distance_words(follower_.left_m(), distances(context_));
+    if (through.empty())
+        return capitalised(phrase(total ? "route.in_all" : "route.in_all_about", {{"distance", distance}}));
+    return capitalised(phrase(total ? "route.in_all_through" : "route.in_all_about_through",
+                              {{"distance", distance}, {"rooms", through}}));
 }
 
 void SpokenRoute::follow_again(const std::string& first, double now_s) {
@@ -135,13 +176,17 @@ bool SpokenRoute::follow(navigation::Route route, const std::string& name, const
         words += ' ';
         goal = phrase("rooms.nearest_place_to", {{"goal", name}});
     }
-    const std::vector<RouteNode> nodes = nodes_to(context_, route, goal);
-    const std::string how = route_words(route, nodes, context_.avatar.heading_rad, distances(context_));
+    const std::string how = route_words(route, legs_to(route, goal), distances(context_), 1);
     context_.announce(cues::SpeechTopic::Summary, words + phrase("rooms.way", {{"goal", goal}, {"route", how}}), now_s);
     context_.events.report(Led{goal, LedBy::Ear}, now_s);
     to_nearest_ = !route.reaches;
     follow_silently(std::move(route), goal);
     return !to_nearest_;
+}
+
+// Returns the legs of a route as it is planned, for routes without directions leg by leg.
+std::vector<std::string> SpokenRoute::legs_to(const navigation::Route& route, const std::string& goal) const {
+    return route_legs(route, nodes_to(context_, route, goal), context_.avatar.heading_rad, distances(context_));
 }
 
 void SpokenRoute::renew() {
@@ -152,6 +197,7 @@ void SpokenRoute::renew() {
     navigation::Route route =
         plans_.runs_to(name_) ? plans_.on(feet_m) : rooms_.navigation().plan(feet_m, follower_.goal_m(), preference_);
     if (!route.reaches || route.points_m.size() < 2) return;
+    unfinished_.reset();
     follow_silently(std::move(route), std::string(name_));
 }
 
@@ -342,9 +388,8 @@ void SpokenRoute::announce_anew(cues::SpeechTopic topic, double now_s) {
         return announce_leg_unprompted(directions_.at_work() ? directions_.leg() : on_words(), true, now_s);
     const navigation::Route route = planned();
     if (route.points_m.size() < 2) return;
-    const std::string how = directions_.at_work() ? overview_words(context_, rooms_, route)
-                                                  : route_words(route, nodes_to(context_, route, name_),
-                                                                context_.avatar.heading_rad, distances(context_));
+    const std::string how =
+        directions_.at_work() ? overview(route) : route_words(route, legs_to(route, name_), distances(context_), 1);
     context_.announce(cues::SpeechTopic::Summary, phrase("rooms.way", {{"goal", name_}, {"route", how}}), now_s,
                       {.anew = true});
 }
@@ -366,7 +411,9 @@ std::vector<std::string> SpokenRoute::rest_of_route() {
     if (directions_.at_work()) return directions_.rest();
     const navigation::Route route = planned();
     if (route.points_m.size() < 2 && !route.reaches) return {};
-    return {route_words(route, nodes_to(context_, route, name_), context_.avatar.heading_rad, distances(context_))};
+    std::vector<std::string> legs = legs_to(route, name_);
+    if (legs.empty()) legs.push_back(phrase("route.there"));
+    return legs;
 }
 
 std::optional<double> SpokenRoute::leg_heading_rad() const {
@@ -379,6 +426,7 @@ std::optional<double> SpokenRoute::leg_heading_rad() const {
 }
 
 RouteFollower::Said SpokenRoute::tick(double now_s) {
+    plan_on();
     if (directions_.at_work()) return tick_words(now_s);
     return follower_.tick(context_.avatar.feet_m(), distances(context_), [this](bool at_end) { return there(at_end); });
 }
@@ -410,10 +458,14 @@ RouteFollower::Said SpokenRoute::tick_words(double now_s) {
             return said;
         }
         // The person requested these legs before they were planned, so they are announced now.
-        if (!rest_requested_)
-            context_.announce(cues::SpeechTopic::Leg, directions_.leg(), now_s,
+        if (!rest_requested_) {
+            std::string words = directions_.leg();
+            if (std::exchange(length_owed_, false)) words = length_words({}) + ' ' + words;
+            context_.announce(cues::SpeechTopic::Leg, std::move(words), now_s,
                               {.answers = true, .place_m = leg_place_m()});
-        else if (!directions_.rest().empty()) announce_rest(now_s);
+        } else if (!directions_.rest().empty()) {
+            announce_rest(now_s);
+        }
     }
     announce_facing(now_s);
     said.left = news.left;

@@ -5,9 +5,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/core/context/context_words.h"
 #include "app/core/context/session_part.h"
+#include "app/core/wayfinding/far_route.h"
 #include "app/core/wayfinding/route_directions.h"
 #include "app/core/wayfinding/route_plans.h"
 #include "app/core/wayfinding/route_words.h"
@@ -27,8 +29,8 @@ public:
     // Follows the route to a room with directions leg by leg. If lifts, teleporters or edges are on the route, does the
     // same as follow().
     bool follow_to_room(std::uint32_t room, const std::string& first, double now_s);
-    // Returns the route from here to a room, for the announcement of its length.
-    navigation::Route to_room(std::uint32_t room) const { return route_to(room).route; }
+    // Returns the route from here to a room, for the announcement of its length. `on_foot` has the distances from here.
+    navigation::Route to_room(std::uint32_t room, const navigation::FootDistances& on_foot) const;
     // Plans and announces the route to the present goal again.
     void follow_again(const std::string& first, double now_s);
     void stop();
@@ -71,15 +73,20 @@ public:
 
 private:
     struct RoomRoute {
-        navigation::Route route;
+        FarRoute far;
         bool by_legs = false;  // true: all of the route can be announced leg by leg
     };
-    RoomRoute route_to(std::uint32_t room) const;
+    RoomRoute route_to(std::uint32_t room, const navigation::FootDistances& on_foot) const;
+    void plan_on();
     navigation::Route planned() const;
+    navigation::Route planned_to(std::uint32_t room) const;
     bool stands_in(const navigation::RoutePassage& passage) const;
     bool stands_at(const navigation::RoutePassage& passage) const;
     bool there(bool at_end) const;
     std::string on_words();
+    std::vector<std::string> legs_to(const navigation::Route& route, const std::string& goal) const;
+    std::string overview(const navigation::Route& route) const;
+    std::string length_words(const std::string& through) const;
     std::optional<Vec3> leg_place_m() const;
     void follow_silently(navigation::Route route, const std::string& goal);
     void announce(const std::string& words, cues::SpeechTopic topic, double now_s);
@@ -94,10 +101,12 @@ private:
     DirectionsGround& ground_;
     RouteFollower follower_;
     RouteDirections directions_;
-    std::optional<std::uint32_t> room_;  // the room that is the goal, if it can be reached
+    std::optional<FarRoute> unfinished_;  // the route that is followed, while later ticks plan more of it
+    std::optional<std::uint32_t> room_;   // the room that is the goal, if it can be reached
     // OnFoot while directions leg by leg are announced, so that both plans use the same route.
     navigation::RoutePreference preference_ = navigation::RoutePreference::Safest;
     bool faces_ = false;           // true: the person faces in the direction of the announced leg
+    bool length_owed_ = false;     // true: the length of the route is announced with its first leg
     bool rest_requested_ = false;  // true: the person requested the rest of the route before it was planned
     std::string name_;
     bool to_nearest_ = false;

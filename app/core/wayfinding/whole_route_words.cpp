@@ -28,7 +28,7 @@ std::vector<RouteNode> nodes_to(const SessionContext& context, const navigation:
     });
 }
 
-std::string overview_words(const SessionContext& context, const Rooms& rooms, const navigation::Route& route) {
+std::string rooms_between(const Rooms& rooms, const navigation::Route& route) {
     constexpr double kLookEvery_m = 0.5;
     constexpr std::size_t kMostRooms = 4;
     std::vector<std::uint32_t> through;
@@ -47,11 +47,8 @@ std::string overview_words(const SessionContext& context, const Rooms& rooms, co
         std::string name = sentence_case(rooms.graph().rooms[through[i]].name);
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
     }
-    const std::string distance = distance_words(route.length_m, distances(context));
-    if (names.empty()) return capitalised(phrase("route.in_all", {{"distance", distance}}));
     if (names.size() > kMostRooms) names.resize(kMostRooms);
-    const std::string all = fmt::format("{}", fmt::join(names, ", "));
-    return capitalised(phrase("route.in_all_through", {{"distance", distance}, {"rooms", all}}));
+    return fmt::format("{}", fmt::join(names, ", "));
 }
 
 std::string whole_route_words(const SessionContext& context, const Rooms& rooms, const std::string& name,
@@ -67,7 +64,9 @@ std::string whole_route_words(const SessionContext& context, const Rooms& rooms,
         const std::string& goal = stops[along.goal()].name;
         if (route.points_m.size() >= 2) {
             const double facing = std::exchange(first, false) ? heading_of(route, false) : heading_rad;
-            const std::string words = route_words(route, nodes_to(context, route, goal), facing, distances(context));
+            const std::string words =
+                route_words(route, route_legs(route, nodes_to(context, route, goal), facing, distances(context)),
+                            distances(context));
             if (route.reaches) legs += " " + phrase("rooms.way", {{"goal", goal}, {"route", words}});
             heading_rad = heading_of(route, true);
             all_m += route.length_m;

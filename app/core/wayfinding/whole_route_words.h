@@ -16,9 +16,9 @@ namespace handrail::core {
 // Returns the instructions for a route, including present obstacles at its passages.
 std::vector<RouteNode> nodes_to(const SessionContext& context, const navigation::Route& route, const std::string& goal);
 
-// Returns the length of a route and the rooms on it: "28 steps in all, through Hall and Study." Call it only after the
-// rooms have been found.
-std::string overview_words(const SessionContext& context, const Rooms& rooms, const navigation::Route& route);
+// Returns the first rooms between the ends of a route: "Hall, Study". The text is empty if there are none. Call it only
+// after the rooms have been found.
+std::string rooms_between(const Rooms& rooms, const navigation::Route& route);
 
 // Returns the whole route from its first stop on, with the directions to each stop. Call it only after the rooms have
 // been found.

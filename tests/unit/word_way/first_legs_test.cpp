@@ -1,5 +1,10 @@
 // Tests how routes for directions are planned: a first task plans the first legs, and a later task plans the rest.
 #include "app/core/wayfinding/directions_ground.h"
+
+#include <cmath>
+#include <set>
+
+#include "tests/support/box_scene.h"
 #include "tests/support/names.h"
 #include "tests/unit/core/app_session.h"
 #include "worlds/navigation/reach.h"
@@ -74,21 +79,18 @@ private:
     mutable std::vector<std::function<void()>> held_;
 };
 
-// A person in the school, who has chosen a distant room and heard the first leg.
-struct OnTheWay {
+// A person in the school, who has chosen a distant room.
+struct Chosen {
     HeldBack executor;
     test::AppSession person{{}, {}, SessionOptions{.executor = executor}};
-    std::string first;
 
-    OnTheWay() {
+    Chosen() {
         person.app.apply(WorldEntered{make_ready(test::our_world("school.map"))}, person.now);
         person.run(0.1);
         person.request(Command::Exits);
         person.run(1.0);
         person.request(Command::Routes);
         person.line("Art room");
-        release();
-        first = person.said.back();
     }
     void release() {
         executor.release();
@@ -96,6 +98,33 @@ struct OnTheWay {
         person.run(0.1);
     }
 };
+
+// The same person, who has heard the first leg.
+struct OnTheWay : Chosen {
+    std::string first;
+
+    OnTheWay() {
+        release();
+        // The length of the route is announced with the first leg; it is not yet exact.
+        constexpr std::string_view kLength = " in all. ";
+        const std::string& said = person.said.back();
+        EXPECT_EQ(said.find("About "), 0U) << said;
+        first = said.substr(said.find(kLength) + kLength.size());
+    }
+};
+
+TEST(FirstLegs, are_planned_once_although_the_rest_is_requested_before_them) {
+    Chosen way;
+    for (int times = 0; times < 3; ++times) EXPECT_EQ(way.person.request(Command::RestOfRoute), phrase("leg.looks"));
+    ASSERT_EQ(way.executor.held(), 1U);
+    way.release();
+    EXPECT_TRUE(way.person.said.empty()) << "the rest was requested: " << way.person.news();
+    ASSERT_EQ(way.executor.held(), 1U) << "the rest is planned";
+    way.release();
+    ASSERT_FALSE(way.person.said.empty()) << "the request was forgotten";
+    EXPECT_GT(way.person.said.back().size(), 200U) << way.person.said.back();
+    EXPECT_EQ(way.executor.held(), 0U);
+}
 
 TEST(FirstLegs, are_announced_while_the_rest_is_still_being_planned) {
     OnTheWay way;
@@ -131,6 +160,67 @@ TEST(FirstLegs, continue_with_the_next_leg_as_soon_as_it_is_planned) {
     ASSERT_FALSE(way.person.said.empty());
     EXPECT_NE(way.person.said.back(), phrase("leg.looks"));
     EXPECT_FALSE(way.person.said.back().empty());
+}
+
+// Five rooms in a row, each 24 m long, with a doorway in the middle of each wall between them. A table stands in the
+// middle of each room, so no straight line leads from doorway to doorway.
+struct Row : test::AppSession {
+    static constexpr double kRoom_m = 24.0, kHalfTable_m = 1.0, kMiddle_m = 3.0;
+    static constexpr int kRooms = 5;
+
+    Row() {
+        test::SceneBuilder b;
+        const double end_m = kRooms * kRoom_m;
+        const auto wall = [&](const Vec3& low, const Vec3& high) {
+            b.box(low, high, "wall", SolidRole::Solid, "brick", FeatureKind::Wall);
+        };
+        b.box({0, 0, -0.2}, {end_m, 6, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
+        wall({-0.2, -0.2, 0}, {end_m + 0.2, 0, 2.6});
+        wall({-0.2, 6, 0}, {end_m + 0.2, 6.2, 2.6});
+        wall({-0.2, 0, 0}, {0, 6, 2.6});
+        wall({end_m, 0, 0}, {end_m + 0.2, 6, 2.6});
+        for (int room = 0; room < kRooms; ++room) {
+            const double begin_m = room * kRoom_m, middle_m = begin_m + 0.5 * kRoom_m;
+            b.box({middle_m - kHalfTable_m, kMiddle_m - kHalfTable_m, 0},
+                  {middle_m + kHalfTable_m, kMiddle_m + kHalfTable_m, 0.8}, "table", SolidRole::Solid, "wood",
+                  FeatureKind::Object);
+            if (room == 0) continue;
+            wall({begin_m - 0.1, 0, 0}, {begin_m + 0.1, kMiddle_m - 0.5, 2.6});
+            wall({begin_m - 0.1, kMiddle_m + 0.5, 0}, {begin_m + 0.1, 6, 2.6});
+        }
+        b.start({2, kMiddle_m, 0}, kPi / 2.0);
+        app.apply(WorldEntered{make_ready(b.share())}, now);
+        run(0.1);
+        request(Command::Exits);
+        run(1.0);
+    }
+    // Returns how many tables the route crosses.
+    int tables_crossed() {
+        const std::vector<Vec3>& way = app.guide().way_m();
+        std::set<int> crossed;
+        for (std::size_t i = 1; i < way.size(); ++i)
+            for (double part = 0.0; part <= 1.0; part += 0.01) {
+                const Vec3 at = way[i - 1] + (way[i] - way[i - 1]) * part;
+                const double along_m = std::fmod(at.x, kRoom_m) - 0.5 * kRoom_m;
+                if (std::abs(along_m) < kHalfTable_m && std::abs(at.y - kMiddle_m) < kHalfTable_m)
+                    crossed.insert(static_cast<int>(at.x / kRoom_m));
+            }
+        return static_cast<int>(crossed.size());
+    }
+};
+
+TEST(FarRoutes, are_planned_a_stretch_at_a_time_while_the_first_legs_are_announced) {
+    Row person;
+    person.request(Command::Routes);
+    const std::vector<ListItem> items = person.app.dialogue().view().items;
+    ASSERT_GE(items.size(), 4U) << person.news();
+    person.line(items.back().name);
+    EXPECT_GT(person.app.guide().way_m().back().x, 4 * Row::kRoom_m) << "the last room is the farthest";
+    EXPECT_GE(person.tables_crossed(), 2) << "the end of the route is not planned in the same tick";
+    person.run(0.2);
+    EXPECT_EQ(person.tables_crossed(), 0);
+    EXPECT_GT(person.app.guide().way_m().back().x, 4 * Row::kRoom_m);
+    EXPECT_FALSE(person.app.guide().take_legs().empty());
 }
 
 }  // namespace first_legs_test

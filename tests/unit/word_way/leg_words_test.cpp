@@ -46,6 +46,19 @@ TEST(LegWords, give_the_action_first_then_the_distance_and_then_the_target) {
     EXPECT_EQ(leg_words(leg(2, 3, PaceEnd::Steps, ""), {false, 0.7, true}), "Turn half right. 2 metres.");
 }
 
+TEST(LegWords, add_up_to_the_steps_and_to_the_stairs_of_flights_at_whose_end_a_leg_ends) {
+    SpokenLeg flight = leg(0, 2, PaceEnd::Stairs, "");
+    flight.risers = 17;
+    SpokenLeg over = leg(0, 9, PaceEnd::Steps, "");
+    over.risers = 5;
+    const std::vector<SpokenLeg> legs{leg(4, 3, PaceEnd::Stopped, ""), flight, over};
+    EXPECT_EQ(total_words(legs, {true, 0.7}), "14 steps and 17 stairs");
+    EXPECT_EQ(total_words(std::span(legs).first(1), {true, 0.7}), "3 steps");
+    EXPECT_EQ(total_words(std::span(legs).first(1), {false, 0.7}), "2 metres");
+    const test::InLanguage german("de");
+    EXPECT_EQ(total_words(legs, {true, 0.7}), "14 Schritte und 17 Stufen");
+}
+
 TEST(LegWords, give_one_instruction_at_a_time) {
     SpokenLeg leaf = leg(0, 2, PaceEnd::Stopped, "Toilet door, shut");
     leaf.leaf = "front door";
