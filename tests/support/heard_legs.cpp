@@ -59,7 +59,10 @@ LegForm german_legs() {
         "Fuß der Treppe"};
 }
 
-std::optional<HeardLeg> understood(const std::string& text, const LegForm& form) {
+namespace {
+
+// Returns the sentences of a text without their full stops.
+std::vector<std::string> sentences_of(const std::string& text) {
     std::vector<std::string> sentences;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find(". ", at), text.size());
@@ -68,6 +71,22 @@ std::optional<HeardLeg> understood(const std::string& text, const LegForm& form)
         sentences.push_back(std::move(sentence));
         at = end + 2;
     }
+    return sentences;
+}
+
+}  // namespace
+
+std::vector<std::string> legs_in(const std::string& text, const LegForm& form) {
+    std::vector<std::string> legs;
+    for (const std::string& sentence : sentences_of(text)) {
+        if (legs.empty() || form.turns.count(sentence) > 0) legs.push_back(sentence + ".");
+        else legs.back() += " " + sentence + ".";
+    }
+    return legs;
+}
+
+std::optional<HeardLeg> understood(const std::string& text, const LegForm& form) {
+    const std::vector<std::string> sentences = sentences_of(text);
     if (sentences.size() < 2) return std::nullopt;
     const auto turn = form.turns.find(sentences[0]);
     if (turn == form.turns.end()) return std::nullopt;

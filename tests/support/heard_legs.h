@@ -6,6 +6,7 @@
 #include <optional>
 #include <regex>
 #include <string>
+#include <vector>
 
 #include "tests/support/names.h"
 
@@ -29,6 +30,8 @@ LegForm german_legs();
 
 // Returns the meaning of a leg, or nothing if the text does not have the form.
 std::optional<HeardLeg> understood(const std::string& text, const LegForm& form);
+// Returns the legs in the announcement of the rest of a route, one text each. A leg begins with a turn.
+std::vector<std::string> legs_in(const std::string& text, const LegForm& form);
 
 // The first direction in a text, for example "5 steps, 30 degrees right", "12 steps to the left" or "close by, ahead".
 struct Direction {

@@ -1,7 +1,8 @@
 // Simulates a walker who only hears spoken text. The walker requests the route to a room by its name and obeys each
 // leg. It opens doors when directed to, side-steps when a shoulder is named, and uses stairs and lifts by the named
-// key. If no direction comes, it repeats its request. It never uses the scene or the position of its feet; the test
-// that judges it does that afterwards. It runs an unchanged session in virtual time.
+// key. If no direction comes, it repeats its request. Or it requests all legs of the route at once, listens to them,
+// and then walks them without another word. It never uses the scene or the position of its feet; the test that judges
+// it does that afterwards. It runs an unchanged session in virtual time.
 #pragma once
 
 #include <algorithm>
@@ -38,14 +39,7 @@ public:
     }
 
     End go(const std::string& room) {
-        said_.clear();
-        announced_there_m_.reset();
-        there_ = room + ". You are there.";
-        climbs_ = 0;
-        request(Command::Routes);
-        app_.apply(LineTyped{room}, now_s_);
-        run(0.05);
-        if (heard("No walking route", 0)) return give_up(End::NoRoute);
+        if (!begin(room)) return give_up(End::NoRoute);
         std::string leg = request(Command::RepeatLeg);
         for (int legs = 0, idle = 0; legs < kMostLegs && climbs_ < kMostClimbs; ++legs) {
             if (arrived()) return End::Arrived;
@@ -62,6 +56,23 @@ public:
             leg = request(idle > 0 ? Command::RepeatLeg : Command::NextLeg);
         }
         return arrived() ? End::Arrived : give_up(End::Loop);
+    }
+
+    // Walks by the legs of RestOfRoute alone. If the walker has not arrived after the last one, it requests the rest
+    // again, at most kMostRests times.
+    End go_by_rest(const std::string& room) {
+        if (!begin(room)) return give_up(End::NoRoute);
+        for (int rests = 0; rests < kMostRests; ++rests) {
+            const std::string rest = request(Command::RestOfRoute);
+            listen_to(rest);
+            for (const std::string& leg : legs_in(rest, form_)) {
+                if (arrived()) return End::Arrived;
+                if (!obey(leg)) return give_up(End::NotUnderstood);
+            }
+            run(kListens_s);
+            if (arrived()) return End::Arrived;
+        }
+        return give_up(End::Stuck);
     }
 
     // ---- functions for the test ----
@@ -83,6 +94,8 @@ public:
 
 private:
     static constexpr int kMostLegs = 160, kMostClimbs = 8, kMostIdle = 4, kMostAtOnce = 8, kTries = 4;
+    static constexpr int kMostRests = 3;
+    static constexpr double kWords_per_s = 3.0, kListens_s = 1.0;
     static constexpr double kTick_s = 1.0 / 60.0, kDoorOpens_s = 3.0, kRide_s = 60.0, kSideStep_s = 0.25;
 
     // ---- what the walker hears ----
@@ -96,6 +109,10 @@ private:
             said_.push_back(std::move(cue.text));
         }
     }
+    // Lets the time pass in which the text is spoken, at 180 words a minute.
+    void listen_to(const std::string& text) {
+        run(static_cast<double>(std::count(text.begin(), text.end(), ' ') + 1) / kWords_per_s);
+    }
     bool heard(std::string_view part, std::size_t since) const {
         for (std::size_t i = since; i < said_.size(); ++i)
             if (said_[i].find(part) != std::string::npos) return true;
@@ -106,6 +123,17 @@ private:
     int moves() const { return footsteps_ + climbs_ + used_; }
 
     // ---- what the walker does ----
+    // Chooses the route to a room. Returns false if there is none.
+    bool begin(const std::string& room) {
+        said_.clear();
+        announced_there_m_.reset();
+        there_ = room + ". You are there.";
+        climbs_ = 0;
+        request(Command::Routes);
+        app_.apply(LineTyped{room}, now_s_);
+        run(0.05);
+        return !heard("No walking route", 0);
+    }
     void tick() {
         app_.tick(now_s_ += kTick_s, tool_);
         listen();

@@ -94,8 +94,10 @@ std::vector<std::uint32_t> drawn(std::vector<std::uint32_t> rooms) {
     return rooms;
 }
 
+using Go = WordWalker::End (WordWalker::*)(const std::string& room);
+
 // Walks from the start to the rooms that the file names, and back. `every` is the stride between the tried rooms.
-Row walk_all(const std::shared_ptr<const Scene>& world, std::uint32_t every) {
+Row walk_all(const std::shared_ptr<const Scene>& world, std::uint32_t every, Go go) {
     Row row;
     const Judge judge(*world);
     WordWalker walker(world);
@@ -104,7 +106,7 @@ Row walk_all(const std::shared_ptr<const Scene>& world, std::uint32_t every) {
     const auto walk = [&](std::uint32_t from, std::uint32_t to) {
         ++row.walks;
         const std::string name = sentence_case(judge.rooms()[to].name);
-        const WordWalker::End end = walker.go(name);
+        const WordWalker::End end = (walker.*go)(name);
         const bool there =
             end == WordWalker::End::Arrived && judge.in_room_named(walker.feet_m(), judge.rooms()[to].name);
         row.reached += there ? 1 : 0;
@@ -149,8 +151,7 @@ class WordsAlone : public testing::TestWithParam<Walked> {};
 
 // Prints a row with these counts: named rooms with a floor, those among them with a route, walks, arrivals, false
 // arrivals, loops.
-TEST_P(WordsAlone, lead_to_each_named_room_and_back) {
-    const Walked& walked = GetParam();
+void expect_arrivals(const Walked& walked, Go go) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "takes minutes under a sanitizer";
     std::filesystem::path file = test::project_root() / "worlds" / "maps" / walked.file;
     if (walked.real) {
@@ -160,7 +161,7 @@ TEST_P(WordsAlone, lead_to_each_named_room_and_back) {
     }
     const std::uint32_t every = test::every(walked.every, walked.every);
     if (every == 0) GTEST_SKIP() << "takes minutes; set HANDRAIL_ALL_ROUTES";
-    const Row row = walk_all(test::world_once(file), every);
+    const Row row = walk_all(test::world_once(file), every, go);
     fmt::print("| {} | {} | {} | {} | {} | {} | {} |\n", walked.file, row.named, row.connected, row.walks, row.reached,
                row.falsely, row.loops);
     for (const std::string& missed : row.missed) fmt::print("  missed: {}\n", missed);
@@ -170,6 +171,12 @@ TEST_P(WordsAlone, lead_to_each_named_room_and_back) {
     EXPECT_EQ(row.falsely, 0);
     EXPECT_EQ(row.loops, 0);
     EXPECT_TRUE(test::enough(row.reached, row.walks, walked.percent)) << row.reached << " of " << row.walks;
+}
+
+TEST_P(WordsAlone, lead_to_each_named_room_and_back) { expect_arrivals(GetParam(), &WordWalker::go); }
+
+TEST_P(WordsAlone, lead_there_and_back_when_all_legs_are_heard_before_the_first_step) {
+    expect_arrivals(GetParam(), &WordWalker::go_by_rest);
 }
 
 std::string file_name(const testing::TestParamInfo<Walked>& info) {
