@@ -2,11 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unicode/locid.h>
-#include <unicode/messagepattern.h>
-#include <unicode/msgfmt.h>
-#include <unicode/uchar.h>
-#include <unicode/unistr.h>
 
 #include <toml++/toml.h>
 #include <algorithm>
@@ -16,11 +11,11 @@
 #include <deque>
 #include <map>
 #include <mutex>
-#include <set>
 #include <unordered_map>
 
 #include "worlds/base/bundled_languages.h"
 #include "worlds/base/files.h"
+#include "worlds/base/message.h"
 #include "worlds/base/text.h"
 #include "worlds/base/typist.h"
 
@@ -32,7 +27,6 @@ constexpr std::string_view kEnglish = "en";
 
 struct Language {
     std::string code;
-    icu::Locale locale;
     std::map<std::string, std::string, std::less<>> texts;
     std::filesystem::path folder;  // folder that holds the person's own file for this language
 };
@@ -65,7 +59,7 @@ Language& kept(Language language) {
 
 // Reads a bundled file without checking its texts, because tests check the bundled files.
 const Language* make_bundled(const BundledLanguage& source) {
-    Language made{std::string(source.code), icu::Locale(std::string(source.code).c_str()), {}, {}};
+    Language made{std::string(source.code), {}, {}};
     std::vector<Diagnostic> faults;
     gather(
         toml::parse(source.content), "", "", [](const std::string&, const std::string&) { return std::string(); }, made,
@@ -103,16 +97,6 @@ const std::string* find(const Language& language, std::string_view key) {
     return at == language.texts.end() ? nullptr : &at->second;
 }
 
-icu::UnicodeString wide(std::string_view utf8) {
-    return icu::UnicodeString::fromUTF8(icu::StringPiece(utf8.data(), static_cast<int32_t>(utf8.size())));
-}
-
-std::string narrow(const icu::UnicodeString& text) {
-    std::string utf8;
-    text.toUTF8String(utf8);
-    return utf8;
-}
-
 // True if the code has only letters, digits, "-" and "_", so that it cannot form a path to another folder.
 bool may_be_code(std::string_view code) {
     return !code.empty() && std::all_of(code.begin(), code.end(), [](char c) {
@@ -123,12 +107,12 @@ bool may_be_code(std::string_view code) {
 // True if the pattern needs no formatting, because it has neither values nor quotes.
 bool is_plain(std::string_view pattern) { return pattern.find_first_of("{}'") == std::string_view::npos; }
 
-// Cache of compiled patterns. Compiling a pattern takes longer than all the rest of phrase(). ICU's formats create some
-// of their parts at first use, even if they are const, so only one thread at a time may fill them with values.
+// Cache of compiled patterns. Compiling a pattern takes longer than all the rest of phrase(). Only one thread at a
+// time may use a message.
 struct Compiled {
     std::mutex guard;
     // The key is the address of a pattern. Patterns belong to kept languages, so their addresses never change.
-    std::unordered_map<const std::string*, std::unique_ptr<const icu::MessageFormat>> formats;
+    std::unordered_map<const std::string*, std::unique_ptr<const Message>> messages;
 };
 Compiled& compiled() {
     // Never destroyed, because another thread may still use it while the process ends.
@@ -139,25 +123,10 @@ Compiled& compiled() {
 // Fills the values into `pattern`, which must be a text of `language`. `language` must be a kept language.
 std::string fill(const Language& language, const std::string& pattern, std::initializer_list<TextValue> values) {
     if (is_plain(pattern)) return pattern;
-    UErrorCode status = U_ZERO_ERROR;
-    std::vector<icu::UnicodeString> names;
-    std::vector<icu::Formattable> given;
-    for (const TextValue& value : values) {
-        names.push_back(wide(value.name));
-        if (const auto* whole = std::get_if<std::int64_t>(&value.value)) given.emplace_back(*whole);
-        else if (const auto* number = std::get_if<double>(&value.value)) given.emplace_back(*number);
-        else given.emplace_back(wide(std::get<std::string_view>(value.value)));
-    }
-    icu::UnicodeString made;
     const std::scoped_lock lock(compiled().guard);
-    auto& format = compiled().formats[&pattern];
-    if (!format) {
-        auto fresh = std::make_unique<const icu::MessageFormat>(wide(pattern), language.locale, status);
-        if (U_FAILURE(status)) return pattern;
-        format = std::move(fresh);
-    }
-    format->format(names.data(), given.data(), static_cast<int32_t>(names.size()), made, status);
-    return U_SUCCESS(status) ? narrow(made) : pattern;
+    auto& message = compiled().messages[&pattern];
+    if (!message) message = compile_message(pattern, language.code);
+    return message ? message->filled({values.begin(), values.size()}).value_or(pattern) : pattern;
 }
 
 // Returns a sentence with the reason why `pattern` cannot replace the English text under `key`, or an empty string if
@@ -202,13 +171,6 @@ std::string phrase(std::string_view key, std::initializer_list<TextValue> values
 }
 
 bool has_phrase(std::string_view key) { return find(language_spoken(), key) || find(english(), key); }
-
-std::string capitalised(std::string_view text) {
-    icu::UnicodeString made = wide(text);
-    const UChar32 first = made.isEmpty() ? 0 : made.char32At(0), upper = u_totitle(first);
-    if (first == upper) return std::string(text);
-    return narrow(made.replace(0, U16_LENGTH(first), upper));
-}
 
 std::vector<LanguageName> bundled_languages() {
     std::vector<LanguageName> names;
@@ -276,7 +238,7 @@ Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std:
         if (!is_utf8(*content)) return fail(phrase("language.not_utf8"), path.filename().string());
         try {
             const toml::table table = toml::parse(*content);
-            Language own{std::string(code), icu::Locale(std::string(code).c_str()), {}, folder};
+            Language own{std::string(code), {}, folder};
             if (language) {
                 own.texts = language->texts;
                 // Stores the bundled language first, so that faults in the person's own texts are reported in the
@@ -301,20 +263,10 @@ Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std:
 }
 
 std::string pattern_fault(std::string_view pattern, std::vector<std::string>* names) {
-    UErrorCode status = U_ZERO_ERROR;
-    UParseError where{};
-    const icu::MessageFormat format(wide(pattern), icu::Locale::getEnglish(), where, status);
-    if (U_FAILURE(status))
-        return phrase("language.fault_at", {{"fault", u_errorName(status)}, {"character", where.offset + 1}});
-    if (names) {
-        UErrorCode parsed = U_ZERO_ERROR;
-        const icu::MessagePattern parts(wide(pattern), nullptr, parsed);
-        std::set<std::string> found;
-        for (int32_t i = 0; i < parts.countParts(); ++i)
-            if (parts.getPartType(i) == UMSGPAT_PART_TYPE_ARG_NAME)
-                found.insert(narrow(parts.getSubstring(parts.getPart(i))));
-        names->assign(found.begin(), found.end());
-    }
+    MessageFault fault;
+    const std::unique_ptr<const Message> message = compile_message(pattern, std::string(kEnglish), &fault);
+    if (!message) return phrase("language.fault_at", {{"fault", fault.name}, {"character", fault.character + 1}});
+    if (names) *names = message->names();
     return "";
 }
 
