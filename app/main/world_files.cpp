@@ -12,6 +12,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/scene/scene.h"
+#include "worlds/stored/stored_navigation.h"
 
 namespace handrail::program {
 
@@ -23,10 +24,10 @@ namespace {
 // folder, which this function follows. If the folder does not exist, returns its path all the same, so that an error
 // can name it.
 fs::path installed_folder() {
+    const fs::path shared = shared_folder();
+    if (shared.empty()) return {};
     std::error_code ec;
-    const fs::path program = fs::read_symlink("/proc/self/exe", ec);
-    if (ec) return {};
-    fs::path installed = program.parent_path().parent_path() / "share" / "handrail" / "worlds";
+    fs::path installed = shared / "worlds";
     fs::path real = fs::canonical(installed, ec);
     return ec ? installed : real;
 }
@@ -44,6 +45,12 @@ fs::path real_world(const fs::path& world) {
 }
 
 }  // namespace
+
+fs::path shared_folder() {
+    std::error_code ec;
+    const fs::path program = fs::read_symlink("/proc/self/exe", ec);
+    return ec ? fs::path() : program.parent_path().parent_path() / "share" / "handrail";
+}
 
 fs::path world_folder() {
     fs::path set = folder_as_set();
@@ -109,7 +116,8 @@ core::RoutesKeeper navigation_in_cache() {
     const fs::path program = importing::find_reader_program();
     if (!cache || program.empty()) return {};
     const auto name_of = [](const std::string& key) { return key + ".ways"; };
-    return {[=](const std::string& key, const std::stop_token& stop) {
+    return {stored::navigation_key,
+            [=](const std::string& key, const std::stop_token& stop) {
                 const Descriptor file = cache.open(name_of(key));
                 return file.get() < 0 ? std::string()
                                       : importing::unpack_navigation_apart({file.get(), name_of(key)}, program, stop);

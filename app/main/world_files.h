@@ -14,6 +14,9 @@
 
 namespace handrail::program {
 
+// Returns the folder of the files that are installed with the program; empty if it is unknown.
+std::filesystem::path shared_folder();
+
 struct CommonArguments;
 
 // Returns HANDRAIL_WORLDS if it is set, else ../share/handrail/worlds relative to the program, else worlds/maps in the

@@ -177,8 +177,9 @@ std::string Queries::what_else() const {
     });
     std::stable_partition(things.begin(), things.end(), is_landmark);
     if (things.size() > kMostThingsNamed) things.resize(kMostThingsNamed);
-    const auto others = std::find_if_not(things.begin(), things.end(), is_landmark);
-    std::string text = describe_sights(std::span(things.begin(), others));
+    const auto landmarks =
+        static_cast<std::size_t>(std::find_if_not(things.begin(), things.end(), is_landmark) - things.begin());
+    std::string text = describe_sights(std::span(things).first(landmarks));
     for (int quarter = 1; quarter < 4; ++quarter) {
         const auto seen = sight_along(viewpoint(), context_.avatar.heading_rad + quarter * kPi / 2.0);
         if (seen && std::any_of(things.begin(), things.end(),
@@ -186,7 +187,7 @@ std::string Queries::what_else() const {
             continue;  // This thing is mentioned separately.
         text += (text.empty() ? "" : " ") + side_sentence(quarter);
     }
-    const std::string rest = describe_sights(std::span(others, things.end()));
+    const std::string rest = describe_sights(std::span(things).subspan(landmarks));
     return rest.empty() ? text : text + (text.empty() ? "" : " ") + rest;
 }
 

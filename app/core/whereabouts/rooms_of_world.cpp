@@ -65,7 +65,7 @@ void RoomsOfWorld::find(const std::stop_token& stop) {
     std::shared_ptr<const navigation::Navigation> to_keep;
     navigation::RoomGraph graph;  // a copy of the graph from before the person's names were added
     try {
-        if (keeper_) key = stored::navigation_key(*scene_, body_);
+        if (keeper_) key = keeper_.key_of(*scene_, body_);
         find_or_take(key, stop);
         if (navigation_ && !kept_ && keeper_ && !stop.stop_requested() &&
             stored::worth_keeping(navigation_->space(), *scene_)) {

@@ -287,7 +287,7 @@ TEST(RoomsKept, equal_newly_found_rooms_and_belong_to_their_session) {
 TEST(RoomsOfAWorld, are_taken_from_the_cache_unchanged) {
     std::map<std::string, std::string> cache;
     const RoutesKeeper keeper{
-        [&](const std::string& key, const std::stop_token&) { return unpacked_navigation(cache[key]); },
+        navigation_key, [&](const std::string& key, const std::stop_token&) { return unpacked_navigation(cache[key]); },
         [&](const std::string& key, std::string_view packed) { cache[key] = packed; }};
     const auto scene = house();
     const WalkerMeasures body = walker_measures(*scene, 0.25, 1.8, 0.25);
