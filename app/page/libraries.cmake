@@ -1,0 +1,58 @@
+# The libraries that a page needs, compiled from the sources that sources.sh has fetched. They have the names that the
+# native build gives them. Included instead of find_package when the compiler is emscripten.
+set(sources ${CMAKE_BINARY_DIR}/sources)
+execute_process(COMMAND ${CMAKE_SOURCE_DIR}/app/page/sources.sh ${sources} RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "The sources of the libraries for pages cannot be had; the reason is above.")
+endif()
+
+# In front of the standard headers, because emscripten of Debian 12 lacks parts of C++20.
+add_compile_options("SHELL:-isystem ${CMAKE_SOURCE_DIR}/app/page/libcxx" "SHELL:-isystem ${sources}/include")
+
+# handrail_page_library(NAME files...): libraries of others, without our warnings
+function(handrail_page_library name)
+  add_library(${name} STATIC ${ARGN})
+  target_compile_options(${name} PRIVATE -w)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF CXX_STANDARD 17)
+endfunction()
+set(bullet ${sources}/bullet/src)
+handrail_page_library(page_bullet ${bullet}/btLinearMathAll.cpp ${bullet}/btBulletCollisionAll.cpp ${bullet}/btBulletDynamicsAll.cpp)
+target_compile_definitions(page_bullet PRIVATE BT_USE_DOUBLE_PRECISION)
+target_include_directories(page_bullet PUBLIC ${sources}/bullet/src)
+file(GLOB recast ${sources}/recastnavigation/Recast/Source/*.cpp ${sources}/recastnavigation/Detour/Source/*.cpp)
+handrail_page_library(page_recast ${recast})
+target_include_directories(page_recast PRIVATE ${sources}/recastnavigation/Recast/Include ${sources}/recastnavigation/Detour/Include)
+set(openmesh ${sources}/openmesh/src/OpenMesh)
+file(GLOB openmesh ${openmesh}/Core/Mesh/*.cc ${openmesh}/Core/Utils/*.cc ${openmesh}/Core/System/*.cc ${openmesh}/Tools/Decimater/*.cc)
+handrail_page_library(OpenMeshCore ${openmesh})
+target_include_directories(OpenMeshCore PUBLIC ${sources}/openmesh/src)
+set(zlib adler32 crc32 deflate inffast inflate inftrees trees zutil compress uncompr)
+list(TRANSFORM zlib REPLACE "(.+)" "${sources}/zlib/\\1.c")
+handrail_page_library(page_zlib ${zlib})
+target_include_directories(page_zlib PUBLIC ${sources}/zlib)
+file(WRITE ${sources}/toml.cpp "#define TOML_IMPLEMENTATION\n#include <toml++/toml.h>\n")
+handrail_page_library(page_toml ${sources}/toml.cpp)
+target_compile_definitions(page_toml PUBLIC TOML_HEADER_ONLY=0)
+
+# The names by which our folders link them; those of libraries that no page needs stand for nothing.
+foreach(name BZip2::BZip2 Boost::headers BulletCollision-float64 BulletDynamics-float64 CLI11::CLI11 EXPAT::EXPAT ICU::i18n ICU::uc
+        LinearMath-float64 OpenMeshTools PNG::PNG Threads::Threads X11::X11 ZLIB::ZLIB fmt::fmt glfw glm::glm
+        nlohmann_json::nlohmann_json tomlplusplus::tomlplusplus)
+  add_library(${name} INTERFACE IMPORTED)
+endforeach()
+foreach(name ATK_BRIDGE WAYLAND dbus-1 epoxy espeak-ng hidapi-hidraw imgui libgcrypt liblouis libseccomp libusb-1.0 openal speech-dispatcher)
+  add_library(PkgConfig::${name} INTERFACE IMPORTED)
+endforeach()
+set_target_properties(fmt::fmt PROPERTIES INTERFACE_COMPILE_DEFINITIONS FMT_HEADER_ONLY)
+target_link_libraries(ZLIB::ZLIB INTERFACE page_zlib)
+target_link_libraries(tomlplusplus::tomlplusplus INTERFACE page_toml)
+set_target_properties(tomlplusplus::tomlplusplus PROPERTIES INTERFACE_COMPILE_OPTIONS -DTOML_HEADER_ONLY=0)
+target_link_libraries(BulletDynamics-float64 INTERFACE page_bullet)
+set(BULLET_INCLUDE_DIRS ${sources}/bullet/src)
+set(BULLET_CFLAGS_OTHER -DBT_USE_DOUBLE_PRECISION)
+set(RECAST_INCLUDE ${sources}/include)
+set(RECAST_LIBRARY page_recast)
+set(DETOUR_LIBRARY page_recast)
+foreach(unused CGAL_INCLUDE GMP_LIBRARY MPFR_LIBRARY BRLAPI_LIBRARY)
+  set(${unused} "" CACHE INTERNAL "")
+endforeach()
