@@ -92,6 +92,7 @@ struct ExportArguments {
     std::optional<std::filesystem::path> swell;
     std::optional<std::filesystem::path> stl;         // --stl: file for a printed model
     std::optional<std::filesystem::path> route_card;  // --route-card: .brf or .txt
+    std::optional<std::filesystem::path> page;        // --page: the building as a page for browsers, .html
     // --from and --to of the route card; without --from: from the base; without --to: to every room.
     std::optional<std::string> from, to;
     settings::Settings settings;  // the person's settings, for example whether distances are in steps or metres

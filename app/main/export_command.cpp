@@ -7,6 +7,7 @@
 #include "app/core/world/walker.h"
 #include "app/learners/export_gate.h"
 #include "app/main/commands.h"
+#include "app/main/page_export.h"
 #include "app/main/route_cards.h"
 #include "app/main/world_files.h"
 #include "worlds/base/files.h"
@@ -41,13 +42,16 @@ fs::path beside(const fs::path& path, const std::string& what) {
 Result<exports::SheetOptions> options_of(const ExportArguments& arguments) {
     exports::SheetOptions options;
     options.coarse = arguments.coarse;
-    if (!arguments.swell && !arguments.stl && !arguments.route_card) return fail(phrase("export.nothing_asked"));
+    if (!arguments.swell && !arguments.stl && !arguments.route_card && !arguments.page)
+        return fail(phrase("export.nothing_asked"));
     if (const std::string ending = arguments.swell ? ending_of(*arguments.swell) : ".svg";
         ending != ".svg" && ending != ".pdf")
         return fail(phrase("export.swell_ending", {{"file", arguments.swell->string()}}));
     if (const std::string ending = arguments.route_card ? ending_of(*arguments.route_card) : ".txt";
         ending != ".brf" && ending != ".txt")
         return fail(phrase("export.card_ending", {{"file", arguments.route_card->string()}}));
+    if (const std::string ending = arguments.page ? ending_of(*arguments.page) : ".html"; ending != ".html")
+        return fail(phrase("export.page_ending", {{"file", arguments.page->string()}}));
     if ((arguments.from || arguments.to) && !arguments.route_card) return fail(phrase("export.card_needed"));
     const std::string paper = lower_ascii(arguments.paper);
     if (paper != "a4" && paper != "a3") return fail(phrase("export.paper", {{"word", arguments.paper}}));
@@ -282,6 +286,12 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
                                           world, arguments.common);
     if (!read) return failed(read.error(), 1);
     const auto scene = std::make_shared<const Scene>(std::move(*read));
+    std::string core_of_page;
+    if (arguments.page) {
+        Result<std::string> core = page_core();
+        if (!core) return failed(core.error(), 1);
+        core_of_page = std::move(*core);
+    }
     progress.at(phrase("progress.rooms"));
     const core::WalkerSize size = core::walker_size(*scene, settings::Settings{}.walk.body_radius_m);
     core::RoomsOfWorld rooms(scene, navigation::walker_measures(*scene, size.radius_m, size.height_m, size.step_up_m),
@@ -312,6 +322,9 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
         broken = sheets_report->broken;
     }
     if (plate) add_stl(*arguments.stl, *storey, *plate, files, simplified);
+    if (arguments.page)
+        files.push_back({*arguments.page, page_of(core_of_page, *scene, rooms.graph(), space),
+                         phrase("export.wrote_page", {{"file", arguments.page->string()}})});
     if (arguments.route_card) {
         progress.at(phrase("progress.ways"));
         const Result<CardRoutes> ways = card_routes(scene, rooms.graph(), rooms.navigation(), *storey,

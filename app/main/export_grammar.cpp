@@ -14,6 +14,7 @@ CLI::App* add_export_command(CLI::App& app, ExportArguments& arguments) {
     command->add_option("--swell", arguments.swell, phrase("help.swell"))->type_name("FILE");
     command->add_option("--stl", arguments.stl, phrase("help.stl"))->type_name("FILE");
     command->add_option("--route-card", arguments.route_card, phrase("help.route_card"))->type_name("FILE");
+    command->add_option("--page", arguments.page, phrase("help.page"))->type_name("FILE");
     command->add_option("--from", arguments.from, phrase("help.card_from"))->type_name("NAME");
     command->add_option("--to", arguments.to, phrase("help.card_to"))->type_name("NAME");
     const auto take_storey = [&arguments](const std::string& word) {

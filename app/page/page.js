@@ -41,10 +41,13 @@
         }
         while (element('said').childElementCount > 200) element('said').firstElementChild.remove();
     }
-    // Silences the page at once. The worker hears of it later.
-    function stop() {
+    // Silences the page at once, without waiting for the worker.
+    function silence() {
         if ('speechSynthesis' in window) speechSynthesis.cancel();
         for (const id of ['polite', 'assertive']) element(id).replaceChildren();
+    }
+    function stop() {
+        silence();
         send({ stop: ++stops });
     }
 
@@ -87,7 +90,7 @@
     const names = { ArrowUp: 'Up', ArrowDown: 'Down', ArrowLeft: 'Left', ArrowRight: 'Right', ' ': 'Space',
         ',': 'Comma', '.': 'Period', '/': 'Slash', '-': 'Minus', '`': 'Grave' };
     // Keys of browsers and screen readers, which the page leaves to them.
-    const theirs = /^(Tab|Shift\+Tab|F1|F3|F5|F6|F7|F10|F11|F12|CapsLock|Alt\+(Left|Right|Up|Down|D|F4|F|E)|Control\+.*|Meta\+?.*|Insert.*)$/;
+    const theirs = /^(Tab|Shift\+Tab|F3|F5|F6|F7|F10|F11|F12|CapsLock|Alt\+(Left|Right|Up|Down|D|F4|F|E)|Control\+.*|Meta\+?.*|Insert.*)$/;
     function key_name(event) {
         if (['Control', 'Shift', 'Alt', 'Meta', 'AltGraph'].includes(event.key)) return '';
         const digit = /^Digit(\d)$/.exec(event.code);
@@ -106,8 +109,9 @@
         if (event.key === 'Control' && own_voice()) speechSynthesis.cancel();
         if (event.key !== 'Escape') return;
         event.preventDefault();
-        stop();
-        if (view.kind !== 'none') send({ key: 'Escape' });
+        if (view.kind === 'none') return stop();
+        silence();
+        send({ key: 'Escape' });
     });
     element('stop').onclick = stop;
     element('typed').addEventListener('submit', event => {

@@ -61,8 +61,7 @@ std::string PageSession::view() {
                     {"title", shown.title},
                     {"items", items},
                     {"at", shown.at},
-                    {"text", shown.text},
-                    {"left", session_.app().requests().leave || session_.lines().left()}});
+                    {"text", shown.text}});
 }
 
 std::string commands_json() {

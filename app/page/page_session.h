@@ -49,8 +49,8 @@ public:
     // Returns what was said since the last call as a JSON array of objects with `text` and `urgent`. Urgent lines are
     // alarms and warnings.
     std::string take_said();
-    // Returns the open list or question as a JSON object with `kind` ("none", "list" or "text"), `title`, `items`,
-    // `at` and `text`. `left` is true if the person has asked to end the session.
+    // Returns the open list or question as a JSON object with `kind` ("none", "list" or "text"), `title`, `items`, `at`
+    // and `text`.
     std::string view();
 
 private:

@@ -4,6 +4,7 @@
 # entries turned into entries for sources, and changes nothing of the system's. A source that this Debian no longer
 # offers comes from testing. A folder that is complete is left as it is.
 set -euo pipefail
+. /etc/os-release
 folder=$1
 mkdir -p "$folder/include" "$folder/apt/parts" "$folder/apt/lists/partial" "$folder/apt/cache/archives/partial"
 cd "$folder"
@@ -25,8 +26,8 @@ fetch() {
     [ -f apt/apt.conf ] || entries || { tail -n 5 apt/log >&2; echo "Debian's lists of sources cannot be had." >&2; return 1; }
     rm -rf apt/now && mkdir apt/now
     local from
-    for from in "" /testing; do
-        (cd apt/now && APT_CONFIG=../apt.conf apt-get -q source --download-only --tar-only "$2$from") >>apt/log 2>&1 && break
+    for from in "$VERSION_CODENAME" testing; do
+        (cd apt/now && APT_CONFIG=../apt.conf apt-get -q source --download-only --tar-only "$2/$from") >>apt/log 2>&1 && break
     done
     local archive
     archive=$(find apt/now -name '*.orig.tar.*' ! -name '*.asc' | head -n 1)

@@ -25,11 +25,12 @@ double now_s() { return running->session().now_s(); }
 
 extern "C" {
 
-// Begins a session in a packed world. `typed`: the person types lines, so texts name words instead of keys. Returns a
-// sentence if the world cannot be entered, or an empty text.
+// Begins a session in a packed world. `typed`: the person types lines, so texts name words instead of keys. Keys act as
+// in a terminal: steps are counted in words, because a page has no sound of footsteps. Returns a sentence if the world
+// cannot be entered, or an empty text.
 EMSCRIPTEN_KEEPALIVE const char* page_begin(const char* scene, int scene_size, const char* navigation,
                                             int navigation_size, const char* language, int typed) {
-    speak_to_typist(typed != 0);
+    speak_to(typed != 0 ? ActsBy::Lines : ActsBy::TerminalKeys);
     if (const auto spoken = speak_language(language); !spoken) return give(spoken.error().sentence());
     auto made = page::PageSession::begin({scene, static_cast<std::size_t>(scene_size)},
                                          {navigation, static_cast<std::size_t>(navigation_size)});
