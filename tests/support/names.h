@@ -24,6 +24,7 @@ namespace learners {}
 namespace loop {}
 namespace navigation {}
 namespace osm {}
+namespace page {}
 namespace plan {}
 namespace program {}
 namespace reader {}
@@ -62,6 +63,7 @@ using namespace learners;
 using namespace loop;
 using namespace navigation;
 using namespace osm;
+using namespace page;
 using namespace plan;
 using namespace program;
 using namespace reader;

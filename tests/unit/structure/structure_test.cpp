@@ -73,6 +73,8 @@ const std::map<std::string, std::vector<std::string>> kMayLink{
      {"app/core/bodies", "app/core/desk", "app/core/labyrinth", "app/core/lessons", "app/core/walking",
       "app/core/learning", "app/core/menu", "app/core/places"}},
     {"app/core/scenario", {"app/core/session", "worlds/readers"}},
+    {"app/page", {"app/core/session"}},
+    {"app/page/browser", {"app/page"}},
     {"app/import", {"worlds/readers", "worlds/stored", "worlds/confine", "settings"}},
     {"app/reader", {"app/import"}},
     {"app/record", {"app/core/scenario", "audio-cues/sinks"}},
