@@ -24,8 +24,8 @@ public:
         cues_.answer(dialogue.request_text(std::move(question)), now_s);
     }
 
-    // Returns the list that `opens` opens. The list neither opens nor is announced, because the person has already said
-    // what to choose in it. Returns no value if `opens` opens no list.
+    // Returns the list that `opens` opens, without opening or announcing it, because the person has already said what
+    // to choose in it. Returns no value if `opens` opens no list.
     std::optional<ListSpec> take(const std::function<void()>& opens) {
         takes_ = true;
         opens();

@@ -43,7 +43,8 @@ std::optional<Sum> announced(const std::string& overview) {
     return Sum{std::stoi(found[1]), found[2].matched ? std::stoi(found[2]) : 0};
 }
 
-// Goes by each `every`th entry of the list of routes. Returns the number of routes with an exact length.
+// Goes by routes of the list. `every` is the stride between the tried entries. Returns the number of routes with an
+// exact length.
 int compare(const std::shared_ptr<const Scene>& world, std::size_t every) {
     test::AppSession person;
     person.app.apply(WorldEntered{make_ready(world)}, person.now);
@@ -72,7 +73,9 @@ int compare(const std::shared_ptr<const Scene>& world, std::size_t every) {
 TEST(Sums, of_the_legs_are_the_length_that_is_announced_first) {
     EXPECT_GT(compare(test::our_world("house.map"), 2), 3);
     EXPECT_GT(compare(test::our_world("school.map"), 9), 0);
-    if (const auto file = test::real_world("duplex-apartment.ifc")) EXPECT_GT(compare(test::world_in(*file), 9), 0);
+    if (const auto file = test::real_world("duplex-apartment.ifc")) {
+        EXPECT_GT(compare(test::world_in(*file), 9), 0);
+    }
 }
 
 }  // namespace sums_test
