@@ -175,9 +175,10 @@ public:
         fs::copy_file(kRoot / "tests" / "scenarios" / "first_contact.toml",
                       folder_.path() / "scenarios" / "first_contact.toml");
         names_["tests/scenarios"] = (folder_.path() / "scenarios").string();
-        // Makes a recording for the commands that replay the newest recording or report on it.
+        // Makes a recording for the commands that replay the newest recording or report on it. The answer to "exits"
+        // waits until the rooms are known, so "where" has the same answer in a replay.
         const ProgramRun recorded =
-            run({"--record", "--no-window", "--device", "none", "house"}, "forward 2\nwhere\nquit\n");
+            run({"--record", "--no-window", "--device", "none", "house"}, "forward 2\nexits\nwhere\nquit\n");
         EXPECT_EQ(recorded.exit_status, 0) << recorded.err;
         for (const auto& entry : fs::recursive_directory_iterator(folder_.path() / "data"))
             if (entry.path().filename() == "events.jsonl") names_["FOLDER"] = entry.path().parent_path().string();
@@ -205,7 +206,7 @@ public:
     }
     // Replaces names in a command of a document by files that exist in this folder.
     Words arguments(Words words) const {
-        static const std::set<std::string> kWritten{"--swell", "--stl",  "--route-card", "--html",
+        static const std::set<std::string> kWritten{"--swell", "--stl",  "--route-card", "--html",    "--page",
                                                     "--csv",   "--json", "--junit",      "--scenario"};
         const bool json_is_a_file = !words.empty() && words.front() == "report";
         for (std::size_t i = 0; i < words.size(); ++i) {
@@ -239,7 +240,7 @@ std::string fault_of_program(const Reader& reader, Words words) {
                                                  "bench", "check", "export",   "replay",   "report",    "lesson"};
     const std::string script = content_of(kRoot / "run");
     if (!words.empty() && (words[0] == "tests" || words[0] == "package" || words[0] == "fuzz" || words[0] == "monkey" ||
-                           words[0] == "kernel-tests" || words[0] == "test")) {
+                           words[0] == "kernel-tests" || words[0] == "test" || words[0] == "page")) {
         if (script.find("\n" + words[0] + ")\n") == std::string::npos) return "./run knows no " + words[0];
         return words[0] == "test" && words.size() > 1
                    ? fault_of_test_program(words[1], Words(words.begin() + 2, words.end()))
@@ -270,6 +271,10 @@ std::string fault_of_program(const Reader& reader, Words words) {
     if (!words.empty()) reader.make_learner_for(words);
     const bool confirms = !words.empty() && words[0] == "learner";
     const ProgramRun run = reader.run(reader.arguments(words), confirms ? "yes\n" : "");
+    // Without the part for browsers, the program must say how to build it.
+    if (std::find(words.begin(), words.end(), "--page") != words.end() &&
+        !fs::exists(test::build_root() / "share" / "handrail" / "page.html"))
+        return run.exit_status == 1 && run.err.find("./run page") != std::string::npos ? "" : run.err;
     const bool faults_are_found = command && words[0] == "check";
     if (run.timed_out || (run.exit_status != 0 && !(faults_are_found && run.exit_status == 1)))
         return "status " + std::to_string(run.exit_status) + ": " + run.out.substr(0, 500) + run.err.substr(0, 500);

@@ -169,11 +169,14 @@ TEST_F(LearnerData, is_exported_only_with_consent_which_is_noted_and_is_gone_aft
         EXPECT_TRUE(tried.contains(known)) << known << " is in no help";
 
     EXPECT_EQ(run({"learner", "consent", kAlias, "--give", "share"}).exit_status, 0);
+    // Without the part for browsers, an export with a page writes no file at all.
+    const fs::path page_core = test::build_root() / "share" / "handrail" / "page.html";
     for (const CommandWithFiles& command : all)
         for (const fs::path& from : inputs()) {
             std::vector<std::string> words = call_of(command, from);
             for (const FileOption& option : command.outputs)
-                words.insert(words.end(), {option.name, target(command, option, from)});
+                if (option.name != "--page" || fs::exists(page_core))
+                    words.insert(words.end(), {option.name, target(command, option, from)});
             run(words);
         }
     EXPECT_EQ(run({"report", "--learner", kAlias, "--csv", (out_ / "all.csv").string()}).exit_status, 0);

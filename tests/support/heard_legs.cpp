@@ -27,6 +27,7 @@ LegForm english_legs() {
             std::regex("^(\\d+) steps?, until (you meet .*|something stops you)$"),
             std::regex("^(?:\\d+ stairs?|Ramp) (?:up|down), (?:in (\\d+) steps?|just ahead), to the end$"),
             std::regex("^(Open|Shut) it$"),
+            std::regex("^(About )?\\d+ steps?( and \\d+ stairs?)? in all$"),
             "You are there.",
             "Landing",
             "Foot of the stairs"};
@@ -54,6 +55,7 @@ LegForm german_legs() {
         std::regex("^(\\d+) Schritte?, bis (zum Anstoßen: .*|es nicht mehr weitergeht)$"),
         std::regex("^(?:\\d+ Stufen?|Rampe) (?:hinauf|hinab), (?:in (\\d+) Schritt(?:en)?|gleich vorn), bis zum Ende$"),
         std::regex("^(Öffnen|Schließen)$"),
+        std::regex("^(Etwa )?\\d+ Schritte?( und \\d+ Stufen?)? insgesamt$"),
         "Das Ziel ist erreicht.",
         "Treppenabsatz",
         "Fuß der Treppe"};
@@ -86,7 +88,8 @@ std::vector<std::string> legs_in(const std::string& text, const LegForm& form) {
 }
 
 std::optional<HeardLeg> understood(const std::string& text, const LegForm& form) {
-    const std::vector<std::string> sentences = sentences_of(text);
+    std::vector<std::string> sentences = sentences_of(text);
+    if (!sentences.empty() && std::regex_match(sentences[0], form.in_all)) sentences.erase(sentences.begin());
     if (sentences.size() < 2) return std::nullopt;
     const auto turn = form.turns.find(sentences[0]);
     if (turn == form.turns.end()) return std::nullopt;

@@ -23,6 +23,7 @@ struct HeardLeg {
 struct LegForm {
     std::map<std::string, int> turns;
     std::regex counted, until, flight, use;
+    std::regex in_all;  // the length of the route, which is announced before the first leg
     std::string there, landed_up, landed_down;
 };
 LegForm english_legs();

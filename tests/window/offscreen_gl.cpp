@@ -3,6 +3,7 @@
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
+#include <png.h>
 
 namespace handrail::test {
 
@@ -46,6 +47,15 @@ Picture OffscreenGl::draw(Renderer& renderer, const ViewState& view) {
     renderer.draw(view, size_);
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
     return Renderer::read_back(size_);
+}
+
+bool save_png(const Picture& picture, const std::filesystem::path& path) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = static_cast<png_uint_32>(picture.width);
+    image.height = static_cast<png_uint_32>(picture.height);
+    image.format = PNG_FORMAT_RGB;
+    return png_image_write_to_file(&image, path.c_str(), 0, picture.rgb.data(), 0, nullptr) != 0;
 }
 
 }  // namespace handrail::test

@@ -2,6 +2,7 @@
 // machine without a screen.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 
 #include "app/window/renderer.h"
@@ -27,5 +28,8 @@ private:
     unsigned planes_[2] = {0, 0};
     PixelSize size_;
 };
+
+// Writes a PNG file. Returns false if it cannot be written.
+bool save_png(const Picture& picture, const std::filesystem::path& path);
 
 }  // namespace handrail::test

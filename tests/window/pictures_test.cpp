@@ -1,7 +1,5 @@
 // Draws whole windows of real sessions at several sizes, and checks what they show: the route, the beacon, marks, the
 // hand with its force, the state and the messages. Saves the pictures under build/.../pictures, for people to look at.
-#include <png.h>
-
 #include <cstdlib>
 #include <filesystem>
 
@@ -85,13 +83,7 @@ protected:
         Picture picture = gl->draw(**renderer, view);
         const auto folder = build_root() / "pictures";
         std::filesystem::create_directories(folder);
-        const auto path = folder / fmt::format("{}-{}x{}.png", name, size.width, size.height);
-        png_image image{};
-        image.version = PNG_IMAGE_VERSION;
-        image.width = static_cast<png_uint_32>(picture.width);
-        image.height = static_cast<png_uint_32>(picture.height);
-        image.format = PNG_FORMAT_RGB;
-        EXPECT_TRUE(png_image_write_to_file(&image, path.c_str(), 0, picture.rgb.data(), 0, nullptr));
+        EXPECT_TRUE(save_png(picture, folder / fmt::format("{}-{}x{}.png", name, size.width, size.height)));
         renderer->reset();
         return picture;
     }

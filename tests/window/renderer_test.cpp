@@ -1,7 +1,5 @@
 #include "app/window/renderer.h"
 
-#include <png.h>
-
 #include <ctime>
 #include <filesystem>
 
@@ -58,15 +56,6 @@ Counted count(const Picture& picture, Test test, double top_px = 0.0, double bot
             }
     if (found.count) found.mean_px /= found.count;
     return found;
-}
-
-bool save_png(const Picture& picture, const std::filesystem::path& path) {
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    image.width = static_cast<png_uint_32>(picture.width);
-    image.height = static_cast<png_uint_32>(picture.height);
-    image.format = PNG_FORMAT_RGB;
-    return png_image_write_to_file(&image, path.c_str(), 0, picture.rgb.data(), 0, nullptr) != 0;
 }
 
 class RendererTest : public ::testing::Test {

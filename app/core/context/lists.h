@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "app/core/context/cues.h"
@@ -17,6 +18,8 @@ public:
     void open(ListSpec list, double now_s) {
         if (before_open) before_open();
         if (takes_) return void(taken_ = std::move(list));
+        if (const auto name = std::exchange(awaited_, std::nullopt))
+            if (const auto at = entry_called(list, *name); at && list.chosen) return list.chosen(*at);
         cues_.answer(dialogue.open(std::move(list)), now_s);
     }
     void request_text(TextSpec question, double now_s) {
@@ -33,6 +36,10 @@ public:
         return std::exchange(taken_, std::nullopt);
     }
 
+    // The next list that opens is one that the owner opens later. Chooses this name in it, or opens it if the name is
+    // not in it.
+    void choose_when_opened(std::string name) { awaited_ = std::move(name); }
+
     Dialogue dialogue;
     // The session sets this function. It is called before a list opens, and stops the walker because keys then go to
     // the list.
@@ -42,6 +49,7 @@ private:
     Cues& cues_;
     bool takes_ = false;
     std::optional<ListSpec> taken_;
+    std::optional<std::string> awaited_;
 };
 
 }  // namespace handrail::core

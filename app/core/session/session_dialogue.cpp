@@ -131,7 +131,11 @@ void Session::choose(Command command, const std::string& name, double now_s) {
             press(*each, now_s);
             release(*each);
         });
-        if (!list) return;  // The session has said why there is no list.
+        if (!list) {
+            // The owner opens these lists in its next turn. Otherwise, the session has said why there is no list.
+            if (state_.requests.learners || state_.requests.devices) state_.lists.choose_when_opened(name);
+            return;
+        }
         const auto found = entry_called(*list, name);
         // "Where is the kitchen" means the room of that name, not the kitchen counter.
         const bool whole = found && is_called(*list, *found, name);

@@ -83,13 +83,13 @@ void Session::wire() {
         return bodies_.push_ahead(intended_m_per_s, now_s);
     };
     walk_.walking.on_walked = [this](const WalkResult& walked, double now_s) {
+        if (walked.held_at_edge) guide_.note_stop(kNoFeature);
         learn_.place.note(walked.bump ? std::optional(walked.bump->normal) : std::nullopt, walk_.by_ear.wall_at_side(),
                           now_s);
         learn_.hunt.tick(now_s);
         learn_.place.tick(now_s);
         learn_.ways.tick(now_s);
     };
-    walk_.walking.on_held_at_edge = [this] { guide_.note_stop(kNoFeature); };
     walk_.walking.on_bumped = [this](FeatureId feature, double now_s) {
         lesson_session_.note_bump(feature);
         guide_.note_stop(feature);

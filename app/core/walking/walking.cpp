@@ -269,7 +269,7 @@ void Walking::walk(double now_s, double dt_s) {
         walked.ground = avatar_.ground;
         walked.bump.reset();
         walked.met.reset();
-        if (on_held_at_edge) on_held_at_edge();
+        walked.held_at_edge = true;
     }
     if (walked.met) brushed_.met = walked.met;
     if (avatar_.walker->state().on_ground && !context_.hands.tuning.panic) {

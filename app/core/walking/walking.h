@@ -71,8 +71,6 @@ public:
     std::function<void(const WalkResult& walked, double now_s)> on_walked;
     // Called for each audible bump, which is a contact of a walker that was free before.
     std::function<void(FeatureId feature, double now_s)> on_bumped;
-    // Called in each tick in which an edge holds the walker. May be empty.
-    std::function<void()> on_held_at_edge;
     // Returns how far to the right a walker that was stopped at this place must slide to get into a doorway
     // (BlindGround::line_up_m).
     std::function<std::optional<double>(const Vec3& feet_m, double heading_rad)> line_up_m;

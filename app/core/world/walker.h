@@ -31,6 +31,7 @@ struct WalkResult {
     std::optional<TraceHit> met;    // the first surface in the way, even if the walker has only brushed it
     std::optional<TraceHit> bump;   // the surface that stopped most of the intended motion
     double climbed_m = 0.0;         // height that the walker has gained by steps up
+    bool held_at_edge = false;      // true: the walker does not step over an edge; Walking sets it
     bool landed = false;            // true: the walker touched the ground after a fall of more than one step
     double fell_m = 0.0;            // height of the fall after which the walker landed
     FeatureId ground = kNoFeature;  // feature on which the walker stands

@@ -111,7 +111,9 @@ TEST(PlainMessage, rejects_what_icu_rejects) {
         const auto icu = compile_message(pattern, "en"), plain = compile_plain_message(pattern, "en");
         ASSERT_EQ(icu == nullptr, plain == nullptr) << pattern;
         const TextValue value("x", 1);
-        if (icu) EXPECT_EQ(said(plain, {&value, 1}), said(icu, {&value, 1})) << pattern;
+        if (icu) {
+            EXPECT_EQ(said(plain, {&value, 1}), said(icu, {&value, 1})) << pattern;
+        }
     }
 }
 

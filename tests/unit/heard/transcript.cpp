@@ -19,8 +19,9 @@ constexpr double kSearched_s = 0.1, kBeginning_s = 0.6, kPiece_s = 0.25;
 constexpr double kAlike = 0.5;  // least correlation of a piece with the mix; the mix includes the sounds
 // If the mix has less energy than this fraction of the line's energy, the mix is treated as silent there.
 constexpr double kSilence = 1e-3;
-constexpr double kQuiet_db = -30.0;   // a piece that is this much quieter than the loudest piece is a pause
-constexpr double kShareInFull = 0.9;  // share of the pieces that must be heard; a sound may cover the others
+constexpr double kQuiet_db = -30.0;  // a piece that is this much quieter than the loudest piece is a pause
+// Share of the pieces that must be heard. A sound may cover the others, and in a short line one piece.
+constexpr double kShareInFull = 0.9;
 
 // Adds both ears and every `step` samples to one sample.
 std::vector<float> thinned(std::span<const float> both, std::size_t step) {
@@ -94,7 +95,7 @@ void compare(Transcribed& row, std::span<const float> mix, std::span<const float
         heard += last ? 1 : 0;
     }
     row.share = pieces > 0 ? static_cast<double>(heard) / pieces : 0.0;
-    row.in_full = last && row.share >= kShareInFull;
+    row.in_full = last && (row.share >= kShareInFull || pieces - heard <= 1);
 }
 
 }  // namespace

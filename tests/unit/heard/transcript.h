@@ -21,7 +21,7 @@ struct Transcribed {
     double printed_s = 0.0;
     std::optional<double> heard_s = {};  // time at which the line begins in the mix; empty: not found
     double share = 0.0;                  // share of the line's voiced pieces that are heard in the mix
-    bool in_full = false;                // at least 90 % of the voiced pieces are heard, including the last one
+    bool in_full = false;                // all pieces but 10 %, or but one, are heard, including the last one
 
     // Returns whether the line is important. Important are lines about danger, places, routes and lessons, and answers
     // that the person did not cut with the next key. Lines that were only written are unimportant, because they were

@@ -152,6 +152,7 @@ TEST(LanguageFiles, are_complete_and_use_the_same_placeholders) {
 const std::vector<std::string> kMadeOfNames{
     "kind.",
     "material.",
+    "page_label.",  // Test: LanguageFiles.contain_the_labels_of_the_page
     // Keys that contain the values of OpenStreetMap's tags and of IMDF's categories.
     "osm_kind.",
     "osm_fact.",
@@ -267,6 +268,26 @@ TEST(LanguageFiles, violations_are_detected_by_this_test) {
     EXPECT_TRUE(reads_like_words(found[2].content));
     EXPECT_TRUE(reads_like_words("Done."));
     EXPECT_FALSE(reads_like_words("{} {}"));
+}
+
+// page.js shows the labels, as labels.NAME or by the name of the element that gets the label.
+TEST(LanguageFiles, contain_the_labels_of_the_page) {
+    const std::string page = test::content_of(test::project_root() / "app" / "page" / "page.js");
+    const auto& english = bundled_texts("en");
+    std::size_t labels = 0;
+    for (const auto& [key, pattern] : english) {
+        constexpr std::string_view kSection = "page_label.";
+        if (!key.starts_with(kSection)) continue;
+        ++labels;
+        const std::string name = key.substr(kSection.size());
+        EXPECT_TRUE(
+            std::regex_search(page, std::regex("labels\\." + name + "\\b|'" + name + "'|text\\." + name + "\\b")))
+            << "the page does not show " << key;
+    }
+    EXPECT_GE(labels, 10U);
+    static const std::regex used("labels\\.(\\w+)");
+    for (auto it = std::sregex_iterator(page.begin(), page.end(), used); it != std::sregex_iterator(); ++it)
+        EXPECT_TRUE(english.contains("page_label." + (*it)[1].str())) << (*it)[1];
 }
 
 }  // namespace language_files_test
