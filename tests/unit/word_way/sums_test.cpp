@@ -4,6 +4,7 @@
 #include "tests/support/every.h"
 #include "tests/support/names.h"
 #include "tests/support/real_worlds.h"
+#include "tests/support/scale.h"
 #include "tests/unit/core/app_session.h"
 
 namespace handrail {
@@ -72,6 +73,7 @@ int compare(const std::shared_ptr<const Scene>& world, std::size_t every) {
 
 TEST(Sums, of_the_legs_are_the_length_that_is_announced_first) {
     EXPECT_GT(compare(test::our_world("house.map"), 2), 3);
+    if (test::kSanitizerScale < 1.0) return;  // The others take minutes then.
     EXPECT_GT(compare(test::our_world("school.map"), 9), 0);
     if (const auto file = test::real_world("duplex-apartment.ifc")) {
         EXPECT_GT(compare(test::world_in(*file), 9), 0);
