@@ -128,6 +128,12 @@ void draw_messages(ImDrawList& list, ImFont& font, const std::vector<std::string
     }
 }
 
+float status_px(ImFont& font, const std::string& text, float wide_px, float small_px) {
+    constexpr float kLeastPart = 0.6F;
+    const float all_px = width_of(font, small_px, text);
+    return all_px <= wide_px ? small_px : std::max(kLeastPart, wide_px / all_px) * small_px;
+}
+
 void draw_status(ImDrawList& list, ImFont& font, std::span<const std::string> texts, const WindowLayout& layout,
                  const Palette& palette) {
     const auto left = static_cast<float>(layout.status.min_px.x), right = static_cast<float>(layout.status.max_px.x);
@@ -136,10 +142,11 @@ void draw_status(ImDrawList& list, ImFont& font, std::span<const std::string> te
     for (const double edge : {0.5 * (layout.pictures.max_px.y + layout.status.min_px.y),
                               0.5 * (layout.status.max_px.y + layout.messages.min_px.y)})
         list.AddLine({left, static_cast<float>(edge)}, {right, static_cast<float>(edge)}, colour_of(palette.text));
+    const float wide_px = std::max(layout.small_px, right - left);
     for (const std::string& text : texts) {
+        const float high_px = status_px(font, text, wide_px, layout.small_px);
         if (!text.empty())
-            put(list, font, layout.small_px, {left, y}, colour_of(palette.text),
-                cut_short(font, layout.small_px, text, std::max(layout.small_px, right - left)));
+            put(list, font, high_px, {left, y}, colour_of(palette.text), cut_short(font, high_px, text, wide_px));
         y += layout.small_px;
     }
 }

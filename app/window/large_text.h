@@ -44,7 +44,9 @@ struct TextLine {
 std::vector<TextLine> message_lines(ImFont& font, const std::vector<std::string>& messages, const WindowLayout& layout);
 void draw_messages(ImDrawList& list, ImFont& font, const std::vector<std::string>& messages, const WindowLayout& layout,
                    const Palette& palette);
-// Draws each text on one line of the status.
+// Returns the height of letters at which the text fits into this width: `small_px`, or down to 0.6 of it.
+float status_px(ImFont& font, const std::string& text, float wide_px, float small_px);
+// Draws each text on one line of the status, in smaller letters if it is long.
 void draw_status(ImDrawList& list, ImFont& font, std::span<const std::string> texts, const WindowLayout& layout,
                  const Palette& palette);
 

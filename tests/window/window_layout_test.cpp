@@ -188,6 +188,15 @@ TEST_F(Messages, show_a_long_newest_message_completely_before_older_ones) {
     EXPECT_TRUE(lines({"older", endless}).back().text.ends_with(" ..."));
 }
 
+TEST_F(Messages, of_the_status_get_smaller_letters_before_they_are_cut) {
+    const std::string text =
+        "Hand 2.7 metres, 25 degrees right, 0.1 newtons, force on: East wall, plaster; Floor, stone";
+    const float wide_px = font_->CalcTextSizeA(30.0F, 1e9F, 0.0F, text.c_str()).x;
+    EXPECT_EQ(status_px(*font_, text, wide_px + 1.0F, 30.0F), 30.0F);
+    EXPECT_NEAR(status_px(*font_, text, 0.8F * wide_px, 30.0F), 24.0F, 0.1F);
+    EXPECT_NEAR(status_px(*font_, text, 0.1F * wide_px, 30.0F), 18.0F, 0.1F);
+}
+
 // ---- names on the plan ----
 
 TEST_F(Names, on_the_plan_never_cover_each_other_or_a_sign) {
