@@ -204,7 +204,7 @@ std::string language_of_environment(const std::filesystem::path& folder) {
     for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
         const char* locale = std::getenv(name);
         if (!locale || !*locale) continue;
-        const std::string code = std::string(locale).substr(0, std::string_view(locale).find_first_of("_.@"));
+        std::string code = std::string(locale).substr(0, std::string_view(locale).find_first_of("_.@"));
         if (!may_be_code(code)) break;
         const bool comes_along = std::any_of(kBundledLanguages.begin(), kBundledLanguages.end(),
                                              [&](const auto& source) { return source.code == code; });
