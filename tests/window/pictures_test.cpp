@@ -143,6 +143,20 @@ TEST_F(Pictures, of_a_route_in_the_school_show_route_beacon_mark_hand_and_texts)
     }
 }
 
+TEST_F(Pictures, of_a_beacon_alone_show_no_route_that_has_ended) {
+    Explorer person("house.map");
+    person.type("route to kitchen");
+    EXPECT_FALSE(person.view().guidance.route_m.empty());
+    EXPECT_TRUE(person.view().guidance.goal);
+    person.app().guide().leave_route();
+    person.app().guide().call_from({"Here", point_box(person.view().feet_m + Vec3(3.0, 0.0, 0.0)), kNoFeature});
+    const ViewState view = person.view();
+    EXPECT_TRUE(view.guidance.beacon);
+    EXPECT_TRUE(view.guidance.route_m.empty());
+    EXPECT_FALSE(view.guidance.goal);
+    EXPECT_EQ(view.texts.task, "");
+}
+
 TEST_F(Pictures, of_a_hand_at_a_wall_show_its_force_in_newtons) {
     Explorer person("first_room.map");
     person.move_hand({0.0, 0.08, 0.0});

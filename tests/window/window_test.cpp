@@ -344,7 +344,7 @@ TEST_F(WindowTest, changes_its_picture_at_most_twice_a_second_with_reduced_motio
     const auto begin = std::chrono::steady_clock::now();
     int pictures = 0;
     Picture last;
-    // Draws until three different pictures were on the screen, which takes at least a second.
+    // Draws until four different pictures were on the screen. The three pauses between them take more than a second.
     EXPECT_TRUE(wait_for([&] {
         view.heading_rad += 0.01;
         window_->draw(view);

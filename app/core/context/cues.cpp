@@ -24,7 +24,8 @@ void Cues::say(std::string text, cues::SpeechClass speech_class, double now_s) {
 void Cues::announce(cues::SpeechTopic topic, std::string text, double now_s, const AnnounceOptions& how) {
     const bool guidance = !how.answers && (topic == cues::SpeechTopic::Place || topic == cues::SpeechTopic::Arrival ||
                                            topic == cues::SpeechTopic::Leg);
-    if (topic == cues::SpeechTopic::Leg) last_leg_ = text;
+    // The summary of another route replaces a leg of the route before it.
+    if (topic == cues::SpeechTopic::Leg || topic == cues::SpeechTopic::Summary) last_leg_ = text;
     cues::CueRequest request;
     request.kind = cues::CueRequestKind::Say;
     request.time_s = now_s;

@@ -74,10 +74,11 @@ ViewState Session::view(const servo::ToolState& tool) {
     view.texts.task = task_words();
     view.path_m = walk_.walking.path_m();
     view.hand_path_m = shown_.hand_path.points_m();
-    if (guide_.leads() && !guide_.way_m().empty()) {
-        view.guidance.route_m = guide_.way_m();
-        view.guidance.goal = DrawnPlace{sentence_case(guide_.route_name()), guide_.way_m().back()};
-    }
+    // The last planned route may be an old one while only the beacon sounds.
+    const std::string goal = guide_.route_name();
+    if ((!goal.empty() || guide_.leads_hand()) && !guide_.way_m().empty()) view.guidance.route_m = guide_.way_m();
+    if (!goal.empty() && !guide_.way_m().empty())
+        view.guidance.goal = DrawnPlace{sentence_case(goal), guide_.way_m().back()};
     if (guide_.beacon().on())
         view.guidance.beacon = DrawnPlace{guide_.beacon().name(), guide_.beacon().thing_m().centre_m()};
     for (const Mark& mark : state_.world.marks) view.guidance.marks.push_back({mark.name, mark.place_m});
@@ -93,7 +94,7 @@ ViewState Session::view(const servo::ToolState& tool) {
 std::string Session::task_words() const {
     std::string words = learn_.teaching.exercise.task();
     if (words.empty()) words = lesson_session_.instruction();
-    if (guide_.leads() && !state_.cues.last_leg().empty())
+    if (!guide_.route_name().empty() && !state_.cues.last_leg().empty())
         words += (words.empty() ? "" : " ") + phrase("window.leg", {{"leg", state_.cues.last_leg()}});
     return words;
 }

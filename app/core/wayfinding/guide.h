@@ -113,8 +113,9 @@ public:
     const Beacon& beacon() const { return seek_.beacon(); }
     const Seek& seek() const { return seek_; }
     const PlannedStops& planned() const { return planned_; }
-    // Returns the name of the end of the route that is followed by ear, as it was announced.
-    const std::string& route_name() const { return ear_.name(); }
+    // Returns the name of the end of the route that is followed by ear, as it was announced. The name is empty if no
+    // such route is followed.
+    std::string route_name() const { return ear_.following() ? ear_.name() : std::string{}; }
     // Returns the last planned route, at floor level.
     const std::vector<Vec3>& way_m() const { return plans_.last_m(); }
     // Returns the path that the servo of the right hand has.

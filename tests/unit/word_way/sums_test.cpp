@@ -10,7 +10,7 @@
 namespace handrail {
 namespace sums_test {
 
-// Steps, and stairs in a flight at whose end a leg ends.
+// Steps, and the stairs of each flight where a leg ends.
 struct Sum {
     int steps = 0, stairs = 0;
     bool operator==(const Sum&) const = default;
