@@ -50,13 +50,22 @@ enum class Meaning : std::uint8_t {
     Window,
     Stairs,
     Storey,
+    Ends,
+    Off,
+    Following,
+    Beacon,
+    Warmer,
+    Lines,
+    Learning,
+    Still,
     Small,
 };
-constexpr std::array<std::string_view, 33> kMeanings{
-    "how_many", "unit",   "far",     "size",   "open",   "which", "what",         "list",         "there",
-    "where",    "find",   "nearest", "go",     "up",     "down",  "upper_storey", "lower_storey", "above",
-    "below",    "behind", "left",    "right",  "home",   "own",   "person",       "called",       "leads",
-    "room",     "door",   "window",  "stairs", "storey", "small"};
+constexpr std::array<std::string_view, 41> kMeanings{
+    "how_many", "unit",   "far",      "size",   "open",   "which", "what",         "list",         "there",
+    "where",    "find",   "nearest",  "go",     "up",     "down",  "upper_storey", "lower_storey", "above",
+    "below",    "behind", "left",     "right",  "home",   "own",   "person",       "called",       "leads",
+    "room",     "door",   "window",   "stairs", "storey", "ends",  "off",          "following",    "beacon",
+    "warmer",   "lines",  "learning", "still",  "small"};
 using Meanings = std::bitset<kMeanings.size()>;
 
 std::size_t index(Meaning meaning) { return static_cast<std::size_t>(meaning); }
@@ -287,7 +296,15 @@ const std::vector<Rule>& rules() {
     using enum Meaning;
     using Kind = QuestionKind;
     static const Meanings nouns = these(Room, Door, Window, Stairs, Storey), asks_what = these(What, Which, There);
+    static const Meanings end = these(Ends, Off), asks = asks_what | these(Where, Far, HowMany);
     static const std::vector<Rule> all{
+        // What guides the person is ended by its kind, even if its goal is named.
+        {Kind::EndBeacon, About::Nothing, these(Beacon), end, asks},
+        {Kind::EndWarmer, About::Nothing, these(Warmer), end, asks},
+        {Kind::EndLines, About::Nothing, these(Lines), end, asks},
+        {Kind::EndLearning, About::Nothing, these(Learning, Ends), {}, asks},
+        {Kind::EndRoute, About::Nothing, these(Following, Ends), {}, asks},
+
         {Kind::HowFar, About::Goal, these(Far)},
         {Kind::HowFar, About::Goal, these(Unit), these(HowMany, What), these(Size)},
         {Kind::SizeOf, About::Room, these(Size)},
@@ -300,6 +317,10 @@ const std::vector<Rule>& rules() {
         {Kind::WhereIs, About::Place, {}, {}, {}, true},
 
         {Kind::Home, About::Nothing, these(Home, Go)},
+        {Kind::OwnRoute, About::Nothing, these(Far, Still), {}, nouns},
+        {Kind::OwnRoute, About::Nothing, these(Following), asks | these(Own),
+         nouns | these(Up, Down, UpperStorey, LowerStorey), true},
+        {Kind::OwnBeacon, About::Nothing, these(Beacon), {}, {}, true},
         {Kind::HowFar, About::Nothing, these(Far), nouns},
         {Kind::SizeOf, About::Nothing, these(Size), {}, these(HowMany, Storey)},
         {Kind::SizeOf, About::Nothing, these(Size, Unit)},

@@ -36,6 +36,14 @@ enum class QuestionKind : std::uint8_t {
     Right,
     Home,  // a wish to return to the base
     Here,  // where the person is
+    // The following kinds concern what guides the person at present, and need no rooms.
+    EndRoute,  // a wish to end it
+    EndBeacon,
+    EndWarmer,
+    EndLines,
+    EndLearning,
+    OwnRoute,   // which route the person is following, and how much of it is left
+    OwnBeacon,  // what the beacon is on
 };
 
 // What a question may ask about without a name of the world.

@@ -37,6 +37,7 @@ public:
     // Returns how much of the present room is known, or why the progress is not available.
     std::string progress_words(double now_s);
 
+    bool guides() const { return state_.on; }  // returns true while the command LearnPlace leads through a room
     // Returns the progress in a room of the room graph. Valid only once the rooms have been found.
     Progress progress_in(std::uint32_t room) { return progress_of(learnt_of(room)); }
 

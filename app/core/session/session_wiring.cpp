@@ -54,7 +54,7 @@ void Session::wire() {
             return help();
         };
         return std::vector<MarkList::Row>{
-            {{phrase("guide.beacon"), beacon}, [this](double now_s) { guide_.mute_beacon(now_s); }},
+            {{phrase("guide.beacon"), beacon}, [this](double now_s) { guide_.act(Command::MuteBeacon, now_s); }},
             {{phrase("guide.help"), help(), true},
              [this](double now_s) { (void)guide_.act(Command::TakeMe, now_s); },
              change_help}};
@@ -66,6 +66,7 @@ void Session::wire() {
     };
     learn_.place.on_go_to_room = [this](std::uint32_t room, double now_s) { guide_.go_to_room(room, now_s); };
     state_.events.on_reported = [this](const SessionEvent& event) { learn_.ways.see(event); };
+    questions_.answers.learns = [this] { return learn_.place.guides(); };
     guide_.on_face = [this](double heading_rad, double now_s) { walk_.walking.face(heading_rad, now_s); };
     where_.climbs.on_way = [this] { return guide_.climb_here(); };
     guide_.on_no_route = [this](std::uint32_t room, double) { places_.why_no_route.look(room); };
@@ -124,7 +125,7 @@ void Session::wire() {
     desk_visit_.progress = [this](double now_s) { return learn_.place.progress_words(now_s); };
     desk_visit_.beacon = [this] { return guide_.beacon().on() ? std::optional(guide_.beacon().name()) : std::nullopt; };
     desk_visit_.on_beacon = [this](const Mark* mark) {
-        if (!mark) return guide_.silence_beacon();
+        if (!mark) return void(guide_.end(Guidance::Beacon));
         guide_.call_from({mark->name, point_box(mark->place_m), kNoFeature});
     };
     desk_visit_.on_come = [this] {

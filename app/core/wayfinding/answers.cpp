@@ -29,7 +29,8 @@ std::string names_of(const navigation::RoomGraph& graph, const std::vector<std::
 
 // Returns true if the answer does not depend on the rooms.
 bool needs_no_rooms(QuestionKind kind) {
-    return kind == QuestionKind::Behind || kind == QuestionKind::Left || kind == QuestionKind::Right;
+    return kind == QuestionKind::Behind || kind == QuestionKind::Left || kind == QuestionKind::Right ||
+           kind >= QuestionKind::EndRoute;
 }
 
 template <class Named>
@@ -128,10 +129,31 @@ std::optional<std::string> Answers::words(const Question& question, const Named*
             return queries_.side_sentence(3);
         case QuestionKind::Right:
             return queries_.side_sentence(1);
+        case QuestionKind::EndRoute:
+            return guide_.end(Guidance::Route);
+        case QuestionKind::EndBeacon:
+            return guide_.end(Guidance::Beacon);
+        case QuestionKind::EndWarmer:
+            return guide_.end(Guidance::Warmer);
+        case QuestionKind::EndLines:
+            return guide_.end(Guidance::Lines);
+        case QuestionKind::EndLearning:
+            return end_learning(now_s);
+        case QuestionKind::OwnRoute:
+            return guide_.state_words(Guidance::Route, now_s);
+        case QuestionKind::OwnBeacon:
+            return guide_.state_words(Guidance::Beacon, now_s);
         case QuestionKind::Home:
         case QuestionKind::Here:
             break;
     }
+    return std::nullopt;
+}
+
+// Ends the learning of a room. Returns a sentence if there is none, because the command would begin it.
+std::optional<std::string> Answers::end_learning(double now_s) {
+    if (!learns || !learns()) return phrase("answer.not_learning");
+    context_.session_requests.perform(Command::LearnPlace, now_s);
     return std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 // above, and so on (dialogue/question.h). Lengths are in world metres. Use it on the app thread only.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,6 +30,9 @@ public:
     // otherwise.
     std::string hint(std::string_view line) const;
 
+    // The session sets this function. It returns true while the person is guided through learning a room.
+    std::function<bool()> learns;
+
 private:
     // A room or a thing that a question may name.
     struct Named {
@@ -38,6 +42,7 @@ private:
     };
     std::vector<Named> named() const;
     std::optional<std::string> words(const Question& question, const Named* named, double now_s);
+    std::optional<std::string> end_learning(double now_s);
     std::string place_of(const Named& named) const;
     std::string place_of_room(std::uint32_t room) const;
     std::string room_of_thing(const Named& named) const;

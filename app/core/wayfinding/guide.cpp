@@ -306,14 +306,7 @@ void Guide::set_beacon(const Goal& goal, double now_s) {
 }
 
 // Announces what the beacon is on, where that is from here, and how the beacon guides.
-void Guide::tell_beacon(double now_s) {
-    const std::string how = seek_.beacon_words(now_s);
-    const Goal goal{beacon().name(), beacon().thing_m(), beacon().feature()};
-    const std::string where = where_words(context_, announced_box(rooms_, goal));
-    context_.announce(
-        cues::SpeechTopic::Summary,
-        phrase("guide.beacon_on", {{"name", goal.name}, {"where", where}}) + (how.empty() ? how : ". " + how), now_s);
-}
+void Guide::tell_beacon(double now_s) { context_.announce(cues::SpeechTopic::Summary, beacon_words(now_s), now_s); }
 
 // Puts the beacon on what the hand touches, or else on what is straight ahead. If there is neither, the person chooses
 // from a list.

@@ -20,6 +20,9 @@
 
 namespace handrail::core {
 
+// The kinds of guidance that a person can end by name. Route is a route by ear or a guided hand.
+enum class Guidance : std::uint8_t { Route, Beacon, Warmer, Lines };
+
 class Guide : SessionPart {
 public:
     Guide(const SessionContext& context, Rooms& rooms, Doors& doors)
@@ -72,10 +75,12 @@ public:
     std::vector<std::string> take_legs();
     // Opens the list of the tools to find this thing.
     void open_tools(const Goal& goal, double now_s);
-    void mute_beacon(double now_s);
     // Switches the beacon on at this goal, without an announcement.
     void call_from(const Goal& goal);
-    void silence_beacon() { seek_.silence_beacon(); }
+    // Ends one kind of guidance. Returns the announcement: that it has ended, or that there is none.
+    std::string end(Guidance what);
+    // Returns a sentence on the route or the beacon: its goal and how far that is, or that there is none.
+    std::string state_words(Guidance of, double now_s);
     // Returns the amount of guidance, 0 to 1. change_help(1) increases it, and change_help(-1) decreases it.
     double help() const { return help_limit_.value_or(laps_.strength()); }
     // Sets the amount of guidance for a lesson, 0 to 1. If `help` has no value, the laps determine the amount.
@@ -124,8 +129,11 @@ public:
 private:
     bool on_route() const { return ear_.following() || hand_.at_work(); }
     void tell_found(const std::string& name, double now_s);
+    std::string beacon_words(double now_s);
     void tell_beacon(double now_s);
     void tell_warmer(double now_s);
+    void mute_beacon(double now_s);
+    void silence_beacon() { seek_.silence_beacon(); }
     void take_me(double now_s);
     void list_routes(double now_s);
     void list_storeys(double now_s);

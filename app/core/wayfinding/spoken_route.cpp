@@ -126,12 +126,17 @@ std::string SpokenRoute::overview(const navigation::Route& route) const {
 // Returns the length of the route that is followed, through these rooms. The length is the sum of the legs that the
 // person hears; it is approximate while their rest is being planned.
 std::string SpokenRoute::length_words(const std::string& through) const {
-    const auto total = directions_.total_words();
-    const std::string distance = total ? *total : distance_words(follower_.left_m(), distances(context_));
+    const bool total = directions_.whole() && directions_.at_work();
+    const std::string distance = left_words();
     if (through.empty())
         return capitalised(phrase(total ? "route.in_all" : "route.in_all_about", {{"distance", distance}}));
     return capitalised(phrase(total ? "route.in_all_through" : "route.in_all_about_through",
                               {{"distance", distance}, {"rooms", through}}));
+}
+
+std::string SpokenRoute::left_words() const {
+    const auto total = directions_.total_words();
+    return total ? *total : distance_words(follower_.left_m(), distances(context_));
 }
 
 void SpokenRoute::follow_again(const std::string& first, double now_s) {

@@ -44,6 +44,9 @@ public:
     bool to_nearest() const { return to_nearest_; }  // returns true if the goal itself cannot be reached
     const Vec3& goal_m() const { return follower_.goal_m(); }
     double along_m() const { return follower_.along_m(); }
+    // Returns the length of the rest of the route in words: the sum of the legs, or the planned length until all legs
+    // are known.
+    std::string left_words() const;
     // Announces how far the route goes straight on, in which direction, and to what.
     void announce_onward(double now_s);
     // These functions announce the present leg and the next one.

@@ -3,6 +3,7 @@
 
 #include "tests/support/names.h"
 #include "tests/support/real_worlds.h"
+#include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
 
 namespace handrail {
@@ -93,6 +94,50 @@ TEST(Answers, lead_to_the_first_room_of_the_next_storey) {
     EXPECT_THAT(s.typed("how do i get upstairs"), StartsWith("To Landing."));
     EXPECT_TRUE(s.app.guide().leads());
     EXPECT_EQ(s.typed("take me downstairs"), "There is no storey below this one.");
+}
+
+// Types the same requests in two languages: a route, then the beacon on a thing.
+struct Running {
+    const char *language, *go, *how_far, *on_the_route, *end, *ended, *none, *thing, *beacon_off, *off, *already_off;
+};
+
+TEST(Answers, end_what_guides_the_person_and_begin_nothing_in_both_languages) {
+    for (const Running& typed :
+         {Running{"en", "take me to the kitchen", "how far is it still", "You are on the route to Kitchen: ",
+                  "stop following", "You are no longer following a route.", "You are not following a route.", "Piano",
+                  "stop the beacon", "Beacon off", "The beacon is already off."},
+          Running{"de", "bring mich zur Küche", "wie weit ist es noch", "Du folgst dem Weg zu Küche: noch ",
+                  "folgen beenden", "Du folgst keinem Weg mehr.", "Es ist kein Weg gewählt.", "Klavier",
+                  "Signal ausschalten", "Signal aus", "Das Signal ist schon aus."}}) {
+        const test::InLanguage spoken(typed.language);
+        Visitor s;
+        EXPECT_EQ(s.typed(typed.end), typed.none);
+        s.typed(typed.go);
+        s.run(5.0);
+        ASSERT_TRUE(s.app.guide().leads());
+        EXPECT_THAT(s.typed(typed.how_far), StartsWith(typed.on_the_route));
+        EXPECT_EQ(s.typed(typed.end), typed.ended);
+        EXPECT_FALSE(s.app.guide().leads());
+        EXPECT_EQ(s.typed(typed.beacon_off), typed.already_off);
+        EXPECT_FALSE(s.app.guide().leads()) << "a beacon that is off must not begin";
+        s.request(Command::SetBeacon);
+        if (s.app.dialogue().is_open()) {
+            s.line(typed.thing);
+            s.line("1");
+        }
+        ASSERT_TRUE(s.app.guide().beacon().on());
+        EXPECT_EQ(s.typed(typed.beacon_off), typed.off);
+        EXPECT_FALSE(s.app.guide().leads());
+    }
+}
+
+TEST(Answers, end_the_learning_of_a_room_only_if_it_has_begun) {
+    Visitor s;
+    EXPECT_EQ(s.typed("stop learning"), "You are not learning a room.");
+    s.request(Command::LearnPlace);
+    s.run(1.0);
+    s.typed("stop learning");
+    EXPECT_EQ(s.typed("stop learning"), "You are not learning a room.");
 }
 
 TEST(Answers, come_while_a_list_is_open_and_close_it) {

@@ -469,9 +469,9 @@ TEST(Wayfinding, sets_and_mutes_the_beacon_on_the_thing_ahead) {
     EXPECT_TRUE(plain.guide.act(Command::SetBeacon, 0.0));
     EXPECT_TRUE(plain.guide.beacon().on());
     EXPECT_EQ(plain.guide.beacon().name(), "Well");
-    plain.guide.mute_beacon(0.0);
+    plain.guide.act(Command::MuteBeacon, 0.0);
     EXPECT_FALSE(plain.guide.beacon().on());
-    plain.guide.mute_beacon(0.0);
+    plain.guide.act(Command::MuteBeacon, 0.0);
     EXPECT_TRUE(plain.guide.beacon().on()) << "to the same thing again";
 }
 

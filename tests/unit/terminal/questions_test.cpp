@@ -110,6 +110,20 @@ std::string meaning(const Question& question, const std::vector<NameInWorld>& na
             return "home";
         case QuestionKind::Here:
             return "here";
+        case QuestionKind::EndRoute:
+            return "end-route";
+        case QuestionKind::EndBeacon:
+            return "end-beacon";
+        case QuestionKind::EndWarmer:
+            return "end-warmer";
+        case QuestionKind::EndLines:
+            return "end-lines";
+        case QuestionKind::EndLearning:
+            return "end-learning";
+        case QuestionKind::OwnRoute:
+            return "own-route";
+        case QuestionKind::OwnBeacon:
+            return "own-beacon";
     }
     return {};
 }
@@ -145,6 +159,56 @@ TEST(Questions, are_understood_as_people_phrase_them) {
         EXPECT_THAT(wrong({all.begin(), middle}, language), IsEmpty()) << language;
         const std::vector<std::string> rest = wrong({middle, all.end()}, language);
         EXPECT_LE(rest.size(), kRest - kLeastOfRest) << language << ": " << ::testing::PrintToString(rest);
+    }
+}
+
+TEST(Questions, about_what_guides_the_person_end_it_or_state_it) {
+    const std::map<std::string, std::vector<Phrasing>> of_language{
+        {"en",
+         {{"end-route", "stop following"},
+          {"end-route", "Stop the route, please."},
+          {"end-route", "end the route to the kitchen"},
+          {"end-route", "I don't want to follow it any more"},
+          {"end-route", "cancel the guidance"},
+          {"end-route", "stop guiding me"},
+          {"end-beacon", "stop the beacon"},
+          {"end-beacon", "turn the beacon off"},
+          {"end-beacon", "switch off the beacon on the piano"},
+          {"end-warmer", "stop warmer and colder"},
+          {"end-warmer", "stop the ticking"},
+          {"end-lines", "turn the lines off"},
+          {"end-learning", "stop learning"},
+          {"own-route", "how far is it still"},
+          {"own-route", "how much further"},
+          {"own-route", "which route am I following"},
+          {"own-route", "am I following a route"},
+          {"own-beacon", "what is the beacon on"},
+          {"own-beacon", "where is the beacon"},
+          {"route Kitchen", "which is the route to the kitchen"},
+          {"home", "what is the way back to the start"}}},
+        {"de",
+         {{"end-route", "folgen beenden"},
+          {"end-route", "Hör auf zu folgen"},
+          {"end-route", "den Weg zur Küche beenden"},
+          {"end-route", "ich will dem Weg nicht mehr folgen"},
+          {"end-route", "Führung abbrechen"},
+          {"end-route", "stopp die Route"},
+          {"end-beacon", "Signal ausschalten"},
+          {"end-beacon", "mach das Signal aus"},
+          {"end-warmer", "wärmer und kälter beenden"},
+          {"end-warmer", "das Ticken aus"},
+          {"end-lines", "Linien aus"},
+          {"end-learning", "Lernen beenden"},
+          {"own-route", "wie weit ist es noch"},
+          {"own-route", "welchem Weg folge ich"},
+          {"own-route", "folge ich einem Weg"},
+          {"own-beacon", "wo ist das Signal"},
+          {"own-beacon", "worauf ist das Signal"},
+          {"far Küche", "wie weit ist es noch bis zur Küche"},
+          {"route Küche", "der Weg zur Küche"}}}};
+    for (const auto& [language, each] : of_language) {
+        const test::InLanguage spoken(language);
+        EXPECT_THAT(wrong(each, language), IsEmpty()) << language;
     }
 }
 

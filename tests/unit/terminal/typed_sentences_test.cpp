@@ -100,6 +100,10 @@ TEST(TypedSentences, of_a_newcomer_are_understood_in_english) {
                        {"go home", Command::Home},
                        {"take me", Command::TakeMe},
                        {"rest of way", Command::RestOfRoute},
+                       {"the rest of the way, please", Command::RestOfRoute},
+                       {"rest of the route", Command::RestOfRoute},
+                       {"what comes after that?", Command::NextLeg},
+                       {"turn me to the route", Command::FaceRoute},
                        {"set a mark", Command::DropMark},
                        {"goodbye", Command::Leave}});
 }
@@ -134,6 +138,10 @@ TEST(TypedSentences, of_a_newcomer_are_understood_in_german) {
                        {"alles anhalten", Command::StopEverything},
                        {"nach Hause", Command::Home},
                        {"bring mich hin", Command::TakeMe},
+                       {"Rest des Wegs", Command::RestOfRoute},
+                       {"der Rest der Route bitte", Command::RestOfRoute},
+                       {"und danach?", Command::NextLeg},
+                       {"zum Weg drehen", Command::FaceRoute},
                        {"Auf Wiedersehen!", Command::Leave}});
 }
 
