@@ -149,4 +149,11 @@ std::string passage_now(const SessionContext& context, navigation::PassageKind k
     return joined(passage_name(context, kind, feature, rise_m), lock_words(context, feature));
 }
 
+bool must_be_opened(const SessionContext& context, navigation::PassageKind kind, FeatureId feature) {
+    const int found = kind == navigation::PassageKind::Door ? mover_of(context.world, feature) : -1;
+    if (found < 0) return false;
+    const auto mover = static_cast<std::uint32_t>(found);
+    return context.world.scene->movers[mover].by_hand && shut(context.world, mover) && !locked(context.world, mover);
+}
+
 }  // namespace handrail::core

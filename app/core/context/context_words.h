@@ -41,5 +41,8 @@ std::string passage_name(const Scene& scene, navigation::PassageKind kind, Featu
 std::string passage_name(const SessionContext& context, navigation::PassageKind kind, FeatureId feature, double rise_m);
 // Returns the name of the passage with what blocks it at present: "Door, locked".
 std::string passage_now(const SessionContext& context, navigation::PassageKind kind, FeatureId feature, double rise_m);
+// Returns true if the passage is a shut door that the person can open. A route goes on behind it, so the directions say
+// that it is shut.
+bool must_be_opened(const SessionContext& context, navigation::PassageKind kind, FeatureId feature);
 
 }  // namespace handrail::core

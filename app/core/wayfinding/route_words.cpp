@@ -32,10 +32,11 @@ std::string turn_words(double turn_rad) {
 }  // namespace
 
 std::vector<RouteNode> nodes_of(const navigation::Route& route, const std::string& goal,
-                                const std::function<std::string(const navigation::RoutePassage&)>& name_of) {
+                                const std::function<std::string(const navigation::RoutePassage&)>& name_of,
+                                const std::function<bool(const navigation::RoutePassage&)>& must_open) {
     std::vector<RouteNode> nodes;
     for (const navigation::RoutePassage& passage : route.passages)
-        nodes.push_back({passage.at_m, name_of(passage), 0.0, passage.place_m});
+        nodes.push_back({passage.at_m, name_of(passage), 0.0, passage.place_m, must_open(passage)});
     double at = 0.0;
     for (std::size_t i = 1; i + 1 < route.points_m.size(); ++i) {
         at += glm::length(route.points_m[i] - route.points_m[i - 1]);
@@ -48,13 +49,13 @@ std::vector<RouteNode> nodes_of(const navigation::Route& route, const std::strin
                 (!beside || std::abs(node.at_m - at) < std::abs(beside->at_m - at)))
                 beside = &node;
         if (beside) beside->turn_rad = wrap_angle(beside->turn_rad + turn);
-        else if (std::abs(turn) > 1e-6) nodes.push_back({at, {}, turn, route.points_m[i]});
+        else if (std::abs(turn) > 1e-6) nodes.push_back({at, {}, turn, route.points_m[i], false});
     }
     std::erase_if(nodes,
                   [](const RouteNode& node) { return node.what.empty() && std::abs(node.turn_rad) < kLeastTurn_rad; });
     std::stable_sort(nodes.begin(), nodes.end(),
                      [](const RouteNode& a, const RouteNode& b) { return a.at_m < b.at_m; });
-    if (!route.points_m.empty()) nodes.push_back({route.length_m, goal, 0.0, route.points_m.back()});
+    if (!route.points_m.empty()) nodes.push_back({route.length_m, goal, 0.0, route.points_m.back(), false});
     return nodes;
 }
 
@@ -66,10 +67,12 @@ std::vector<std::string> route_legs(const navigation::Route& route, const std::v
     std::string turn = turn_words(wrap_angle(bearing(route.points_m[0], route.points_m[1]) - heading_rad));
     double before = 0.0;
     for (const RouteNode& node : nodes) {
-        const std::string distance = distance_words(node.at_m - before, how);
+        const std::string distance = distance_words(node.at_m - before, how),
+                          what = node.open ? joined(node.what, phrase("questions.shut")) : node.what;
         std::string leg = turn.empty() ? turn : capitalised(phrase("route.first", {{"turn", turn}})) + " ";
         leg += capitalised(
-            phrase(node.what.empty() ? "route.leg" : "route.leg_to", {{"distance", distance}, {"what", node.what}}));
+            phrase(node.what.empty() ? "route.leg" : "route.leg_to", {{"distance", distance}, {"what", what}}));
+        if (node.open) leg += " " + phrase("leg.open_it");
         legs.push_back(std::move(leg));
         turn = turn_words(node.turn_rad);
         before = node.at_m;

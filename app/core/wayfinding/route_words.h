@@ -19,12 +19,15 @@ struct RouteNode {
     std::string what;       // "Kitchen door", "stairs, 2.9 metres up"; empty: there is only a turn
     double turn_rad = 0.0;  // turn to make there, clockwise; 0: straight on
     Vec3 place_m{0.0};
+    bool open = false;  // true: a shut door, which the person must open
 };
 
 // Returns, in order, doors, stairs and other features, turns of more than a sixteenth of a circle, and the goal. A turn
-// next to a feature is part of the feature's instruction. `name_of` returns the spoken name of a passage.
+// next to a feature is part of the feature's instruction. `name_of` returns the spoken name of a passage, and
+// `must_open` returns true if the passage is a shut door that the person must open.
 std::vector<RouteNode> nodes_of(const navigation::Route& route, const std::string& goal,
-                                const std::function<std::string(const navigation::RoutePassage&)>& name_of);
+                                const std::function<std::string(const navigation::RoutePassage&)>& name_of,
+                                const std::function<bool(const navigation::RoutePassage&)>& must_open);
 
 // Returns the legs of a route, one text each: "Turn slightly left. 14 steps.", "Turn right. 4 steps to Front door."
 // `heading_rad` is the direction that the person faces. The result is empty if the person is at the goal.

@@ -135,8 +135,7 @@ std::string SpokenRoute::length_words(const std::string& through) const {
 }
 
 std::string SpokenRoute::left_words() const {
-    const auto total = directions_.total_words();
-    return total ? *total : distance_words(follower_.left_m(), distances(context_));
+    return directions_.total_words().value_or(distance_words(follower_.left_m(), distances(context_)));
 }
 
 void SpokenRoute::follow_again(const std::string& first, double now_s) {
@@ -233,7 +232,10 @@ std::string SpokenRoute::on_words() {
     if (!leaf.empty()) leaf = " " + capitalised(phrase("leg.leaf_in_way", {{"door", leaf}}));
     for (const navigation::RoutePassage& passage : route.passages)
         if (passage.at_m < leg->along_m + 1.0) {
-            const std::string what = passage_now(context_, passage.kind, passage.feature, passage.rise_m);
+            const bool open = must_be_opened(context_, passage.kind, passage.feature);
+            const std::string what = joined(passage_now(context_, passage.kind, passage.feature, passage.rise_m),
+                                            open ? phrase("questions.shut") : "");
+            if (open && leaf.empty()) leaf = " " + phrase("leg.open_it");
             if (passage.kind == navigation::PassageKind::Climb && stands_at(passage))
                 return phrase(
                     "way.at_stairs",

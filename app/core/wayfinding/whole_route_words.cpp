@@ -23,9 +23,14 @@ double heading_of(const navigation::Route& route, bool end) {
 
 std::vector<RouteNode> nodes_to(const SessionContext& context, const navigation::Route& route,
                                 const std::string& goal) {
-    return nodes_of(route, goal, [&context](const navigation::RoutePassage& passage) {
-        return passage_now(context, passage.kind, passage.feature, passage.rise_m);
-    });
+    return nodes_of(
+        route, goal,
+        [&context](const navigation::RoutePassage& passage) {
+            return passage_now(context, passage.kind, passage.feature, passage.rise_m);
+        },
+        [&context](const navigation::RoutePassage& passage) {
+            return must_be_opened(context, passage.kind, passage.feature);
+        });
 }
 
 std::string rooms_between(const Rooms& rooms, const navigation::Route& route) {

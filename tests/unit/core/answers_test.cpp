@@ -165,5 +165,86 @@ TEST(Answers, of_questions_that_are_not_understood_state_what_would_have_worked)
     EXPECT_EQ(s.app.question_hint("the moon is made of cheese"), "");
 }
 
+// What a person types in a world, and what the answer contains. The numbers and names are those of the world's file.
+struct TypedIn {
+    const char *world, *language;
+    std::vector<std::pair<const char*, const char*>> lines;
+};
+
+std::vector<TypedIn> typed_in_worlds() {
+    return {{"house.map",
+             "de",
+             {{"wo ist die Toilette", "Toilette: "},
+              {"wie weit ist es bis zur Küche", "Küche: "},
+              {"wie viele Räume gibt es", "Es gibt 13 Räume."},
+              {"was ist oben", "Oberer Flur"},
+              {"was ist über mir", "Über dir: Oberer Flur."},
+              {"welche Tür ist das", "Haustür, "},
+              {"ist die Tür offen", "Haustür ist geschlossen."},
+              {"auf welchem Stockwerk bin ich", "Stockwerk 1 von 2"},
+              {"was ist hinter mir", "Haustür"},
+              {"wie groß ist dieser Raum", "Flur: "},
+              {"wo ist die nächste Tür", "Haustür: "},
+              {"liste die Räume auf", "13 Räume: "},
+              {"wie komme ich nach oben", "Oberer Flur"}}},
+            {"school.map",
+             "en",
+             {{"where is the toilet", "Toilet: "},
+              {"how many rooms", "There are 26 rooms."},
+              {"what is upstairs", "Library"},
+              {"which door", "Main door, "},
+              {"is the door open", "Main door is shut."},
+              {"what floor am I on", "storey 1 of 2"},
+              {"where is the nearest door", "Main door: "},
+              {"list the rooms", "26 rooms: "}}},
+            {"fzk-haus.ifc",
+             "de",
+             {{"wo ist die Küche", "Küche: "},
+              {"wie weit ist das Bad", "Bad: "},
+              {"wie viele Räume", "Es gibt 7 Räume."},
+              {"was ist oben", "Galerie"},
+              {"liste die Räume auf", "7 Räume: "},
+              {"ist die Tür offen", "Tür ist geschlossen."},
+              {"wie komme ich nach oben", "Galerie"}}},
+            {"duplex-apartment.ifc",
+             "en",
+             {{"how far is the kitchen", "Kitchen: "},
+              {"how many rooms", "There are 21 rooms."},
+              {"is the door open", "Door is shut."},
+              {"what is upstairs", "Bedroom"}}}};
+}
+
+TEST(Answers, agree_with_each_world_in_its_language) {
+    for (const TypedIn& all : typed_in_worlds()) {
+        const bool bundled = std::string_view(all.world).ends_with(".map");
+        const auto file = test::real_world(all.world);
+        if (!bundled && !file) {
+            std::cout << "Skipped: " << test::needs_real_world(all.world) << '\n';
+            continue;
+        }
+        const test::InLanguage spoken(all.language);
+        Visitor s(bundled ? test::our_world(all.world) : test::world_in(*file));
+        for (const auto& [line, part] : all.lines)
+            EXPECT_THAT(s.typed(line), HasSubstr(part)) << all.world << ": " << line;
+    }
+}
+
+TEST(Answers, and_directions_say_of_each_shut_door_that_it_must_be_opened) {
+    for (const auto& [world, room] : {std::pair("house.map", "Kitchen"), std::pair("school.map", "Fountain water"),
+                                      std::pair("school.map", "Room 2")}) {
+        Visitor s(world);
+        s.request(Command::Routes);
+        s.line(room);
+        s.run(1.0);
+        const std::string rest = s.request(Command::RestOfRoute);
+        std::size_t shut = 0;
+        for (std::size_t at = 0; (at = rest.find("door", at)) != std::string::npos; ++at, ++shut)
+            EXPECT_TRUE(rest.substr(at).starts_with("door, shut. Open it.") ||
+                        rest.substr(at).starts_with("door on your"))
+                << world << ", " << room << ": " << rest;
+        EXPECT_GT(shut, 0U) << world << ", " << room << ": " << rest;
+    }
+}
+
 }  // namespace answers_test
 }  // namespace handrail

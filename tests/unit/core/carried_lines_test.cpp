@@ -58,6 +58,21 @@ TEST_F(CarriedLinesInTheHouse, are_commands_if_the_open_list_has_no_use_for_them
     }
 }
 
+TEST_F(CarriedLinesInTheHouse, close_the_open_list_in_german_by_its_word_or_by_another_command) {
+    const test::InLanguage german("de");
+    for (const char* list : {"menü", "finden", "hallo"}) {
+        type(list);
+        ASSERT_TRUE(list_is_open()) << list;
+        const std::string refused = type("bananen");
+        EXPECT_NE(refused.find("„abbrechen“ verlässt sie"), std::string::npos) << list << ": " << refused;
+        EXPECT_NE(type("abbrechen").find("Geschlossen"), std::string::npos) << list;
+        EXPECT_FALSE(list_is_open()) << list;
+        type(list);
+        EXPECT_NE(type("wie viele Stockwerke gibt es").find("Es gibt 2 Stockwerke."), std::string::npos) << list;
+        EXPECT_FALSE(list_is_open()) << list;
+    }
+}
+
 TEST_F(CarriedLinesInTheHouse, choose_from_the_open_list_before_they_count_as_commands) {
     EXPECT_NE(type("describe").find("Which room to describe."), std::string::npos);
     EXPECT_NE(type("kitchen").find("Kitchen: 4.5 by 3 metres"), std::string::npos);

@@ -29,9 +29,16 @@ Route corner() {
     return route;
 }
 std::vector<RouteNode> nodes(const Route& route) {
-    return nodes_of(route, "Kitchen", [](const RoutePassage& p) {
-        return std::string(p.kind == PassageKind::Door ? "blue door" : "stairs");
-    });
+    return nodes_of(
+        route, "Kitchen",
+        [](const RoutePassage& p) { return std::string(p.kind == PassageKind::Door ? "blue door" : "stairs"); },
+        [](const RoutePassage& p) { return p.feature != kNoFeature; });
+}
+
+TEST(RouteWords, say_of_a_shut_door_that_it_must_be_opened) {
+    Route route = corner();
+    route.passages.front().feature = FeatureId{1};
+    EXPECT_THAT(whole(route, nodes(route), 0.0), HasSubstr("14 steps to blue door, shut. Open it. Turn right."));
 }
 
 TEST(RouteWords, give_for_every_leg_the_next_feature_and_the_turn_there) {
