@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Prints the newest 100 files with uncommitted changes or changed by the last 30 commits. Leaves out commits of more
+# Prints the newest 60 files with uncommitted changes or changed by the last 30 commits. Leaves out commits of more
 # than 200 files, which rename: clang-tidy takes half an hour for one. With `all`, prints every file.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -11,4 +11,4 @@ if [ "${1:-}" = all ]; then exec git ls-files; fi
         files=$(git diff-tree --no-commit-id --name-only -r "$commit")
         [ "$(wc -l <<<"$files")" -gt 200 ] || echo "$files"
     done
-} | awk '!seen[$0]++' | while read -r file; do [ ! -e "$file" ] || echo "$file"; done | awk 'NR <= 100'
+} | awk '!seen[$0]++' | while read -r file; do [ ! -e "$file" ] || echo "$file"; done | awk 'NR <= 60'
