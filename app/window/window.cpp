@@ -100,7 +100,6 @@ public:
         const std::optional<WindowPlace> wanted = shown_completely(options.place);
         const WindowPlace place = wanted.value_or(whole_screen());
         glfwWindowHint(GLFW_MAXIMIZED, wanted ? GLFW_FALSE : GLFW_TRUE);
-        glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);

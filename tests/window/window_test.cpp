@@ -1,6 +1,7 @@
 #include "app/window/window.h"
 #include "tests/support/child_process.h"
 
+#include <X11/Xatom.h>
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
 
@@ -150,6 +151,14 @@ public:
             }
         if (image) XDestroyImage(image);
         return picture;
+    }
+
+    // Sets the scale of the desktop for programs that start afterwards, as the settings of a desktop do.
+    void set_scale(int percent) {
+        const std::string resources = "Xft.dpi:\t" + std::to_string(96 * percent / 100) + "\n";
+        XChangeProperty(display_, DefaultRootWindow(display_), XA_RESOURCE_MANAGER, XA_STRING, 8, PropModeReplace,
+                        reinterpret_cast<const unsigned char*>(resources.data()), static_cast<int>(resources.size()));
+        XSync(display_, False);
     }
 
     void resize(unsigned width, unsigned height) {
@@ -334,6 +343,29 @@ TEST_F(WindowTest, fills_the_screen_and_returns_to_where_it_was) {
         window_ = std::move(*opened);
         EXPECT_TRUE(has_place(place)) << window_->place();
     }
+}
+
+// A place is in pixels, as the window reports it. Scaling it again would make the window grow each time it is opened.
+TEST_F(WindowTest, opens_in_its_place_on_a_desktop_with_any_scale_and_fills_the_same_part_with_text) {
+    const ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
+    const auto picture_in_place = [&](const char* place) {
+        window_.reset();
+        auto opened = Window::open({.place = window_place(place)});
+        EXPECT_TRUE(opened) << opened.error().sentence();
+        window_ = std::move(*opened);
+        EXPECT_TRUE(wait_for([&] {
+            window_->draw(view);
+            return window_->place() == place;
+        })) << window_->place();
+        return window_->picture(view);
+    };
+    Desktop desktop;
+    ASSERT_TRUE(desktop.found());
+    const Picture usual = picture_in_place("400x300+30+40");
+    desktop.set_scale(200);
+    const Picture scaled = picture_in_place("400x300+30+40");
+    EXPECT_EQ(scaled.width, 400);
+    EXPECT_EQ(scaled.rgb, usual.rgb);
 }
 
 TEST_F(WindowTest, changes_its_picture_at_most_twice_a_second_with_reduced_motion) {
