@@ -1,6 +1,7 @@
 // Tests the report on a building whose file states rooms: its counts, and what the user should check first.
 #include "worlds/scene/honest_report.h"
 #include "tests/support/names.h"
+#include "tests/support/spoken_language.h"
 
 #include <functional>
 #include <memory>
@@ -67,14 +68,26 @@ TEST(HonestReport, counts_what_the_file_states_and_finds_nothing_to_check_in_a_s
     EXPECT_EQ(report.doors_of_no_room, 0);
     EXPECT_EQ(report.openings_uncut, 1);
     EXPECT_EQ(report.largest_connected, 3);
-    EXPECT_EQ(
-        honest_sentence(scene, report),
-        "This world has 3 rooms on 1 of 2 storeys, 3 doors, 4 windows and one flight of stairs. It also has 0 pieces "
-        "of furniture and one landmark.");
+    EXPECT_EQ(honest_sentence(scene, report),
+              "This world has 3 rooms on 1 of 2 storeys, 3 doors, 4 windows and one flight of stairs. It also has no "
+              "furniture "
+              "and one landmark.");
     EXPECT_THAT(
         honest_details(scene, report),
         testing::IsSupersetOf({"The format of the file is IFC4.", "Ground floor, at a height of 0 metres: 3 rooms.",
                                "Openings cut out of walls, floors and roofs: 6 of 7."}));
+}
+
+TEST(HonestReport, states_in_words_that_a_building_has_no_rooms_and_no_furniture) {
+    StatedBuilding stated;
+    stated.storeys = {{"Ground floor", 0.0, 0}};
+    const Scene scene = scene_of(std::move(stated));
+    EXPECT_THAT(
+        honest_sentence(scene, honest_report(scene)),
+        HasSubstr("has no rooms on one storey, no doors, no windows and no stairs. It also has no furniture and "
+                  "no landmarks."));
+    const test::InLanguage german("de");
+    EXPECT_THAT(honest_sentence(scene, honest_report(scene)), HasSubstr("Keine Räume auf einem Stockwerk."));
 }
 
 TEST(HonestReport, finds_each_kind_of_planted_fault_at_its_place) {
