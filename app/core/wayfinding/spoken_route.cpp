@@ -223,6 +223,7 @@ std::string SpokenRoute::on_words() {
     });
     if (leaf.empty() && !over_edge)
         if (const auto aside_m = place_aside(leg->to_m)) {
+            stopped_->aside_m = aside_m;
             const Vec3 way = *aside_m - feet_m;
             return phrase("way.next",
                           {{"goal", name_},
@@ -254,8 +255,16 @@ std::string SpokenRoute::on_words() {
 
 void SpokenRoute::note_stop(FeatureId by) {
     directions_.note_stop(by);
+    // The places aside are remembered for stops near the last one, because they did not help there.
+    constexpr double kNear_m = 1.0;
+    const Vec3& feet_m = context_.avatar.feet_m();
     const int times = stopped_ && stopped_->by == by ? stopped_->times + 1 : 1;
-    stopped_ = Stop{by, context_.avatar.feet_m(), context_.avatar.heading_rad, times};
+    std::vector<Vec3> tried_m;
+    if (stopped_ && glm::length(stopped_->at_m - feet_m) < kNear_m) {
+        tried_m = std::move(stopped_->tried_m);
+        if (stopped_->aside_m) tried_m.push_back(*stopped_->aside_m);
+    }
+    stopped_ = Stop{by, feet_m, context_.avatar.heading_rad, times, std::move(tried_m), {}};
 }
 
 // Returns true if something has just stopped the walker here, on the way to `to_m`.
@@ -268,11 +277,12 @@ bool SpokenRoute::stopped_towards(const Vec3& to_m) const {
 
 // If anything but a door has just stopped the walker here on the way to `to_m`, returns a place one step aside from
 // which the walker comes closest to `to_m`. The plan passes the obstacle by less than the width of a cell, or the
-// spoken direction, which is rounded, does not pass it. So the same direction would stop the walker again.
+// spoken direction, which is rounded, does not pass it. So the same direction would stop the walker again. A place that
+// was announced after an earlier stop near here is not announced again, since the walker came back from it.
 std::optional<Vec3> SpokenRoute::place_aside(const Vec3& to_m) const {
     // In directions nearer to the obstacle or more straight back, the walker would meet the obstacle again.
     constexpr int kLeast_notches = 3, kMost_notches = 6;
-    constexpr double kLeast_m = 0.1;
+    constexpr double kLeast_m = 0.1, kSame_m = 0.2;
     if (!stopped_towards(to_m)) return std::nullopt;
     const Feature* const met = context_.world.scene->find(stopped_->by);
     const std::shared_ptr<const DirectionsFloor> floor = ground_.floor();
@@ -293,7 +303,10 @@ std::optional<Vec3> SpokenRoute::place_aside(const Vec3& to_m) const {
         // Of places that are equally good, the one with the most room is best.
         const double left_m = glm::length(to_m - ground.feet_m(body)) -
                               static_cast<double>(ground.space().spans[ground.body_at(aside_m).span].clearance_m);
-        if (left_m >= best_m || glm::length(aside_m - context_.avatar.feet_m()) < kLeast_m) continue;
+        const bool tried = std::any_of(stopped_->tried_m.begin(), stopped_->tried_m.end(), [&](const Vec3& earlier_m) {
+            return glm::length(aside_m - earlier_m) < kSame_m;
+        });
+        if (tried || left_m >= best_m || glm::length(aside_m - context_.avatar.feet_m()) < kLeast_m) continue;
         best_m = left_m;
         best = aside_m;
     }

@@ -117,7 +117,9 @@ private:
         FeatureId by = kNoFeature;
         Vec3 at_m{0.0};
         double heading_rad = 0.0;
-        int times = 1;  // consecutive stops by the same feature
+        int times = 1;                // consecutive stops by the same feature
+        std::vector<Vec3> tried_m;    // places aside that were announced after earlier stops near here
+        std::optional<Vec3> aside_m;  // place aside that was announced after this stop
     };
     std::optional<Stop> stopped_;                 // where and by what the walker was last stopped
     std::optional<navigation::Route> announced_;  // the rest of the route, as announce_onward() last announced it

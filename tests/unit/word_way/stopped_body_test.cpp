@@ -72,6 +72,17 @@ TEST_F(StoppedBody, hears_of_the_door_again_only_if_the_door_is_within_reach) {
     }
 }
 
+// A walker that is stopped there again came back from the first place aside, so that place did not help.
+TEST_F(StoppedBody, gets_another_step_aside_after_the_next_stop_but_the_same_one_on_repetition) {
+    ASSERT_TRUE(follow({3.0, 2.0, 0.0}, 0.5 * kPi, "Hall").starts_with("Straight on."));
+    const std::string first = after_stop(kNoFeature);
+    ASSERT_TRUE(first.starts_with("To Hall: 1 step, ")) << first;
+    EXPECT_EQ(p.request(Command::RepeatLeg), first);
+    const std::string second = after_stop(kNoFeature);
+    EXPECT_TRUE(second.starts_with("To Hall: 1 step")) << second;
+    EXPECT_NE(second, first);
+}
+
 TEST_F(StoppedBody, gets_directions_that_begin_with_a_step_aside) {
     // An edge may stop the walker, too. Then there is no feature.
     for (const FeatureId by : {named(*p.app.scene(), "wall"), kNoFeature}) {
