@@ -58,6 +58,14 @@ public:
         return arrived() ? End::Arrived : give_up(End::Loop);
     }
 
+    // Walks like go(), but listens to each direction until a voice has spoken it, as a person with a voice does.
+    End go_by_voice(const std::string& room) {
+        voice_ = true;
+        const End end = go(room);
+        voice_ = false;
+        return end;
+    }
+
     // Walks by the legs of RestOfRoute alone. If the walker has not arrived after the last one, it requests the rest
     // again, at most kMostRests times.
     End go_by_rest(const std::string& room) {
@@ -96,6 +104,7 @@ private:
     static constexpr int kMostLegs = 160, kMostClimbs = 8, kMostIdle = 4, kMostAtOnce = 8, kTries = 4;
     static constexpr int kMostRests = 3;
     static constexpr double kWords_per_s = 3.0, kListens_s = 1.0;
+    static constexpr double kPatience_s = 3.0;  // the longest time that the walker waits for a leg
     static constexpr double kTick_s = 1.0 / 60.0, kDoorOpens_s = 3.0, kRide_s = 60.0, kSideStep_s = 0.25;
 
     // ---- what the walker hears ----
@@ -151,8 +160,12 @@ private:
         app_.apply(CommandDown{command}, now_s_);
         app_.apply(CommandUp{command}, now_s_);
         listen();
-        for (int i = 0; i < 600 && said_.size() > before && said_.back() == phrase("leg.looks"); ++i) tick();
-        return said_.size() > before ? said_.back() : std::string();
+        for (double s = 0.0; s < kPatience_s && said_.size() > before && said_.back() == phrase("leg.looks");
+             s += kTick_s)
+            tick();
+        const std::string last = said_.size() > before ? said_.back() : std::string();
+        if (voice_) listen_to(last);
+        return last;
     }
     void press(Command command, int times = 1) {
         app_.apply(CommandDown{command, times}, now_s_);
@@ -259,6 +272,7 @@ private:
     std::string there_;
     std::optional<Vec3> announced_there_m_;
     int footsteps_ = 0, climbs_ = 0, used_ = 0;
+    bool voice_ = false;  // true: each direction takes the time in which a voice speaks it
 };
 
 }  // namespace handrail::test

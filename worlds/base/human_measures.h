@@ -23,8 +23,10 @@ inline constexpr double kAboveOrBelow_m = 1.5;
 inline constexpr double kHighestStorey_m = 12.0;
 
 // ---- doors and lifts ----
-inline constexpr double kDoorWait_s = 3.0;      // how long a sliding door, or the door of a lift, stays open
-inline constexpr double kLiftDoorWait_s = 5.0;  // how long a lift door stays open; EN 81-70 requires 2 to 20 s
+inline constexpr double kDoorWait_s = 3.0;  // how long a sliding door stays open
+// How long a lift door stays open. EN 81-70 requires 2 to 20 s. A person hears the next direction meanwhile, which
+// takes several seconds.
+inline constexpr double kLiftDoorWait_s = 10.0;
 // Least free height above the floor of a lift or another platform that carries a person.
 inline constexpr double kStandingRoom_m = 1.8;
 inline constexpr double kLeafThick_m = 0.04;

@@ -79,17 +79,19 @@ const char* end_word(WordWalker::End end) {
     return "";
 }
 
-// Greatest number of rooms that the test tries in a building. If a building has more rooms, the test draws this many at
-// random, because a building of 400 rooms would take an hour.
-constexpr std::size_t kMostRooms = 100;
-constexpr std::uint32_t kDrawnBy = 20261129;
+// The rooms that the test tries in a building with more rooms. It draws them at random, because a building of 400 rooms
+// would take an hour.
+struct Draw {
+    std::size_t most = 100;
+    std::uint32_t seed = 20261129;
+};
 
-std::vector<std::uint32_t> drawn(std::vector<std::uint32_t> rooms) {
-    if (rooms.size() <= kMostRooms) return rooms;
-    std::mt19937 random(kDrawnBy);
-    for (std::size_t i = 0; i < kMostRooms; ++i) std::swap(rooms[i], rooms[i + random() % (rooms.size() - i)]);
-    fmt::print("  {} of {} rooms, drawn by seed {}\n", kMostRooms, rooms.size(), kDrawnBy);
-    rooms.resize(kMostRooms);
+std::vector<std::uint32_t> drawn(std::vector<std::uint32_t> rooms, const Draw& draw) {
+    if (rooms.size() <= draw.most) return rooms;
+    std::mt19937 random(draw.seed);
+    for (std::size_t i = 0; i < draw.most; ++i) std::swap(rooms[i], rooms[i + random() % (rooms.size() - i)]);
+    fmt::print("  {} of {} rooms, drawn by seed {}\n", draw.most, rooms.size(), draw.seed);
+    rooms.resize(draw.most);
     std::sort(rooms.begin(), rooms.end());
     return rooms;
 }
@@ -97,7 +99,7 @@ std::vector<std::uint32_t> drawn(std::vector<std::uint32_t> rooms) {
 using Go = WordWalker::End (WordWalker::*)(const std::string& room);
 
 // Walks from the start to the rooms that the file names, and back. `every` is the stride between the tried rooms.
-Row walk_all(const std::shared_ptr<const Scene>& world, std::uint32_t every, Go go) {
+Row walk_all(const std::shared_ptr<const Scene>& world, std::uint32_t every, const Draw& draw, Go go) {
     Row row;
     const Judge judge(*world);
     WordWalker walker(world);
@@ -131,7 +133,7 @@ Row walk_all(const std::shared_ptr<const Scene>& world, std::uint32_t every, Go 
         }
         if (row.connected++ % every == 0) connected.push_back(room);
     }
-    for (const std::uint32_t room : drawn(std::move(connected))) {
+    for (const std::uint32_t room : drawn(std::move(connected), draw)) {
         if (!walk(start, room)) walker.put(judge.rooms()[room].middle_m);
         if (start == kNothing || !walk(room, start)) walker.put(start_m);
     }
@@ -145,6 +147,7 @@ struct Walked {
     // Stride between the tried rooms in an ordinary run; 0: none. With HANDRAIL_ALL_ROUTES, the test tries all rooms.
     std::uint32_t every = 1;
     int percent = 95;  // least percentage of the walks that must arrive
+    Draw draw = {};
 };
 
 class WordsAlone : public testing::TestWithParam<Walked> {};
@@ -161,7 +164,7 @@ void expect_arrivals(const Walked& walked, Go go) {
     }
     const std::uint32_t every = test::every(walked.every, walked.every);
     if (every == 0) GTEST_SKIP() << "takes minutes; set HANDRAIL_ALL_ROUTES";
-    const Row row = walk_all(test::world_once(file), every, go);
+    const Row row = walk_all(test::world_once(file), every, walked.draw, go);
     fmt::print("| {} | {} | {} | {} | {} | {} | {} |\n", walked.file, row.named, row.connected, row.walks, row.reached,
                row.falsely, row.loops);
     for (const std::string& missed : row.missed) fmt::print("  missed: {}\n", missed);
@@ -196,6 +199,16 @@ INSTANTIATE_TEST_SUITE_P(
                     Walked{"apb-tu-dresden.osm", true, 0}, Walked{"addenbrookes.imdf.zip", true, 0},
                     Walked{"london-waterloo.osm.pbf", true, 0}, Walked{"large-building.ifc", true, 0}),
     file_name);
+
+class WordsByVoice : public testing::TestWithParam<Walked> {};
+
+TEST_P(WordsByVoice, lead_to_each_named_room_and_back) { expect_arrivals(GetParam(), &WordWalker::go_by_voice); }
+
+INSTANTIATE_TEST_SUITE_P(In, WordsByVoice,
+                         testing::Values(Walked{"house.map", false, 4}, Walked{"school.map", false, 0},
+                                         Walked{"duplex-apartment.ifc", true, 0}, Walked{"delft-station.osm", true, 0},
+                                         Walked{"apb-tu-dresden.osm", true, 0, 95, {20, 1}}),
+                         file_name);
 
 }  // namespace words_alone_test
 }  // namespace handrail
