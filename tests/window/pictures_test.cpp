@@ -143,6 +143,26 @@ TEST_F(Pictures, of_a_route_in_the_school_show_route_beacon_mark_hand_and_texts)
     }
 }
 
+// The plan shows one storey, so the route ends on the picture where the person leaves the storey.
+TEST_F(Pictures, of_a_route_to_another_storey_name_its_goal_where_the_route_leaves_the_storey) {
+    Explorer person("house.map");
+    person.type("route to bedroom");
+    const double floor_m = person.view().feet_m.z;
+    std::vector<Vec3> whole_m = person.app().guide().way_m();
+    ASSERT_GT(std::abs(whole_m.back().z - floor_m), 2.0) << "the bedroom is on another storey";
+    const ViewState below = person.view();
+    ASSERT_TRUE(below.guidance.goal);
+    EXPECT_EQ(below.guidance.goal->name, "Bedroom, upstairs");
+    EXPECT_EQ(below.guidance.goal->place_m, below.guidance.route_m.back());
+    for (const Vec3& at_m : below.guidance.route_m) EXPECT_LE(std::abs(at_m.z - floor_m), 1.51);
+    EXPECT_EQ(below.guidance.route_m.front(), whole_m.front());
+    person.app().apply(Placed{whole_m.back(), 0.0}, person.now_s());
+    const ViewState above = person.view();
+    ASSERT_TRUE(above.guidance.goal);
+    EXPECT_EQ(above.guidance.goal->name, "Bedroom");
+    for (const Vec3& at_m : above.guidance.route_m) EXPECT_LE(std::abs(at_m.z - whole_m.back().z), 1.51);
+}
+
 TEST_F(Pictures, of_a_beacon_alone_show_no_route_that_has_ended) {
     Explorer person("house.map");
     person.type("route to kitchen");

@@ -40,6 +40,33 @@ std::string hand_words(const SessionState& state, const servo::ToolState& tool, 
                                   {"forces", forces_on && tool.fault == servo::Fault::None ? "on" : "off"}});
 }
 
+// The part of a route on one storey.
+struct StoreyRoute {
+    std::vector<Vec3> points_m;
+    double leaves_by_m = 0.0;  // height by which the route goes up, or if negative down, from the last point; 0: none
+};
+
+// Returns the part of a route near this height, up to where the route goes to another storey.
+StoreyRoute on_storey(const std::vector<Vec3>& route_m, double floor_m) {
+    constexpr double kMost_m = 1.5;  // farther up or down counts as another storey
+    StoreyRoute part;
+    const auto off_m = [&](std::size_t i) { return route_m[i].z - floor_m; };
+    const auto place_at = [&](std::size_t i, double at_off_m) {  // on the line from point i - 1 to point i
+        return glm::mix(route_m[i - 1], route_m[i], (at_off_m - off_m(i - 1)) / (off_m(i) - off_m(i - 1)));
+    };
+    for (std::size_t i = 0; i < route_m.size(); ++i) {
+        const bool here = std::abs(off_m(i)) <= kMost_m;
+        if (here && part.points_m.empty() && i > 0)
+            part.points_m.push_back(place_at(i, std::copysign(kMost_m, off_m(i - 1))));
+        if (here) part.points_m.push_back(route_m[i]);
+        if (here || part.points_m.empty()) continue;
+        part.leaves_by_m = off_m(i);
+        part.points_m.push_back(place_at(i, std::copysign(kMost_m, off_m(i))));
+        break;
+    }
+    return part;
+}
+
 }  // namespace
 
 ViewState Session::view(const servo::ToolState& tool) {
@@ -76,9 +103,17 @@ ViewState Session::view(const servo::ToolState& tool) {
     view.hand_path_m = shown_.hand_path.points_m();
     // The last planned route may be an old one while only the beacon sounds.
     const std::string goal = guide_.route_name();
-    if ((!goal.empty() || guide_.leads_hand()) && !guide_.way_m().empty()) view.guidance.route_m = guide_.way_m();
-    if (!goal.empty() && !guide_.way_m().empty())
-        view.guidance.goal = DrawnPlace{sentence_case(goal), guide_.way_m().back()};
+    if (!goal.empty() || guide_.leads_hand()) {
+        StoreyRoute part = on_storey(guide_.way_m(), view.feet_m.z);
+        if (!goal.empty() && !part.points_m.empty())
+            view.guidance.goal =
+                DrawnPlace{part.leaves_by_m == 0.0
+                               ? sentence_case(goal)
+                               : phrase("window.goal_elsewhere",
+                                        {{"goal", sentence_case(goal)}, {"up", part.leaves_by_m > 0.0 ? "yes" : "no"}}),
+                           part.points_m.back()};
+        view.guidance.route_m = std::move(part.points_m);
+    }
     if (guide_.beacon().on())
         view.guidance.beacon = DrawnPlace{guide_.beacon().name(), guide_.beacon().thing_m().centre_m()};
     for (const Mark& mark : state_.world.marks) view.guidance.marks.push_back({mark.name, mark.place_m});

@@ -45,8 +45,11 @@ public:
 
 private:
     // Returns true if the feet are inside the outline that the file states for the room. If the file states no outline,
-    // returns true if the feet are on the room's floor.
+    // returns true if the feet are on the room's floor. In a room too narrow to stand inside, such as the end of a
+    // footway at stairs, the feet must be at its middle.
     bool in_room(const Vec3& feet_m, std::uint32_t room_index) const {
+        constexpr double kAtMiddle_m = 0.2;
+        if (glm::length(feet_m - graph_.rooms[room_index].middle_m) < kAtMiddle_m) return true;
         if (scene_.stated)
             for (const StatedRoom& stated : scene_.stated->rooms)
                 if (holds(stated, graph_.rooms[room_index].middle_m)) return holds(stated, feet_m);
