@@ -24,6 +24,7 @@ namespace {
 // plus kLongerOnFoot_m.
 constexpr double kLongerOnFoot = 1.5, kLongerOnFoot_m = 15.0;
 constexpr double kTakenUpAhead_m = 2.0;  // how far ahead the person joins the old route again
+constexpr double kStoppedHere_m = 0.25;  // a walker farther from a stop has left it
 constexpr double kAtPlace_m = 0.2;       // if the walker is within this distance of the goal, no wall can be in between
 // The old route is kept if it is shorter than the new route times this factor.
 constexpr double kWorthTurningBack = 1.15;
@@ -210,6 +211,7 @@ void SpokenRoute::announce_onward(double now_s) { context_.answer(on_words(), no
 std::string SpokenRoute::on_words() {
     if (!follower_.following()) return phrase("way.none");
     const Vec3& feet_m = context_.avatar.feet_m();
+    if (stopped_ && glm::length(stopped_->at_m - feet_m) > kStoppedHere_m) stopped_->left = true;
     const auto leg = next_leg(planned(), feet_m, 0.5 * context_.settings.walk.step_length_m);
     if (!leg) return phrase("way.no_floor");
     announced_ = leg->route;
@@ -264,14 +266,14 @@ void SpokenRoute::note_stop(FeatureId by) {
         tried_m = std::move(stopped_->tried_m);
         if (stopped_->aside_m) tried_m.push_back(*stopped_->aside_m);
     }
-    stopped_ = Stop{by, feet_m, context_.avatar.heading_rad, times, std::move(tried_m), {}};
+    stopped_ = Stop{by, feet_m, context_.avatar.heading_rad, times, std::move(tried_m), {}, false};
 }
 
 // Returns true if something has just stopped the walker here, on the way to `to_m`.
 bool SpokenRoute::stopped_towards(const Vec3& to_m) const {
-    constexpr double kHere_m = 0.25, kThatWay_rad = 0.8;
+    constexpr double kThatWay_rad = 0.8;
     const Vec3 way = to_m - context_.avatar.feet_m();
-    return stopped_ && glm::length(stopped_->at_m - context_.avatar.feet_m()) < kHere_m &&
+    return stopped_ && !stopped_->left && glm::length(stopped_->at_m - context_.avatar.feet_m()) < kStoppedHere_m &&
            std::abs(wrap_angle(std::atan2(way.x, way.y) - stopped_->heading_rad)) < kThatWay_rad;
 }
 

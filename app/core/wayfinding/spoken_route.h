@@ -120,6 +120,7 @@ private:
         int times = 1;                // consecutive stops by the same feature
         std::vector<Vec3> tried_m;    // places aside that were announced after earlier stops near here
         std::optional<Vec3> aside_m;  // place aside that was announced after this stop
+        bool left = false;            // true: the walker has heard directions from elsewhere since
     };
     std::optional<Stop> stopped_;                 // where and by what the walker was last stopped
     std::optional<navigation::Route> announced_;  // the rest of the route, as announce_onward() last announced it

@@ -93,6 +93,9 @@ TEST_F(StoppedBody, gets_directions_that_begin_with_a_step_aside) {
         p.app.apply(Placed{{3.0, 2.6, 0.0}, 0.5 * kPi}, p.now);
         const std::string on = p.request(Command::RepeatLeg);
         EXPECT_FALSE(on.starts_with("To Hall: 1 step,")) << "nothing has stopped the walker here: " << on;
+        // Back at the place of the stop, the same step aside would lead in a circle.
+        p.app.apply(Placed{{3.0, 2.0, 0.0}, 0.5 * kPi}, p.now);
+        EXPECT_NE(p.request(Command::RepeatLeg), aside);
     }
 }
 
