@@ -15,6 +15,7 @@
 #include "app/main/lesson_grammar.h"
 #include "app/main/plain_output.h"
 #include "app/main/recorded_grammar.h"
+#include "app/main/start_place.h"
 #include "app/main/world_files.h"
 #include "app/main/wrong_usage.h"
 #include "worlds/base/language.h"
@@ -111,6 +112,7 @@ struct Grammar {
         app.set_help_flag("-h,--help", phrase("help.help"));
         app.footer(phrase("help.exit_status"));
         app.add_option("WORLD", explore.arguments.world, phrase("help.world_to_explore"))->type_name("");
+        app.add_option("--at", explore.arguments.at, phrase("help.at"))->type_name("PLACE");
         app.add_flag("--no-window", explore.arguments.no_window, phrase("help.no_window"));
         app.add_option("--device", explore_devices, phrase("help.devices_given"))
             ->type_name("NAME")
@@ -328,11 +330,23 @@ std::optional<settings::SettingsStore> load_settings(const SettingsOptions& opti
 
 int refused(std::ostream& err, const Error& error) { return err << error.sentence() << "\n", 1; }
 
+// If the world is a link, replaces it by the world and the place that the link names. A place on the command line
+// overrides that of the link.
+Result<void> follow_link(ExploreArguments& arguments) {
+    if (!arguments.world || arguments.world->extension() != kLinkExtension) return {};
+    Result<PlaceLink> link = read_link(*arguments.world, toml_next_to_worlds());
+    if (!link) return tl::unexpected(std::move(link.error()));
+    arguments.world = std::move(link->world);
+    if (arguments.at.empty()) arguments.at = std::move(link->place);
+    return {};
+}
+
 // Runs one session. If it ends because another learner was chosen, runs a session for that learner, and so on.
 int explore(ExploreCall call, FirstLanguage first, std::ostream& err, const LongWork& progress) {
     for (;; first = speak_first()) {
         const ExploreCall requested = call;
         if (const auto begun = begin_as_learner(call); !begun) return refused(err, begun.error());
+        if (const auto followed = follow_link(call.arguments); !followed) return refused(err, followed.error());
         std::vector<Diagnostic>& problems = call.arguments.settings_problems;
         std::optional<settings::SettingsStore> settings = load_settings(call.settings, std::move(first), problems, err);
         if (!settings) return 2;

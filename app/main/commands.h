@@ -185,6 +185,7 @@ struct ExploreArguments {
     CommonArguments common;
     std::optional<LessonToTeach> lesson;
     std::optional<std::filesystem::path> world;  // none: the first of the worlds that are shipped with the program
+    std::string at;                              // --at: name of the place to start at; empty: the base
     bool no_window = false;                      // --no-window: opens no window
     std::optional<std::string> device;           // --device NAME|SERIAL|none
     std::optional<std::string> left_device;      // the second --device, for the left hand

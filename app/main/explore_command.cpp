@@ -88,7 +88,8 @@ public:
         hand_.begin(requested_s);
         if (settings_.values().pads.use) companions_.emplace(clock_);
         left_.look_for(arguments_.left_device.value_or(settings_.values().haptic.left_device));
-        const int status = load_world(err) ? explore(err) : ended() ? 0 : 1;
+        const std::optional<int> not_entered = load_world(err);
+        const int status = not_entered ? *not_entered : explore(err);
         finish(err, status, progress);
         ExploreEnd end{status, learners_.next(), worlds_.here(), {}};
         if (lines_) end.lines = lines_->take_rest();
@@ -149,18 +150,19 @@ private:
 
     // ---- the three loops: while the first world is read, in a world, and in a set-up without a world ----
 
-    // Reads the first world while the person waits. Returns false if the world cannot be read, or if the person leaves
-    // before it is read.
-    bool load_world(std::ostream& err) {
-        WorldLoading loading(worlds_.first(), arguments_.common);
+    // Reads the first world while the person waits, and enters it. If it is not entered, returns the exit status: the
+    // person has left, the world cannot be read, or it has no place with the name that was given.
+    std::optional<int> load_world(std::ostream& err) {
+        WorldLoading loading(worlds_.first(), arguments_.common,
+                             {arguments_.at, settings_.values().walk.body_radius_m});
         watch_lines();
         while (!loading.ready()) {
             clock_.sleep_until_s(clock_.now_s() + core::kFrame_s);
             if (window_) window_->take(set_up_.session());
             if (keys_) keys_->take(clock_.now_s(), set_up_.session());
             if (lines_) lines_->take(clock_.now_s(), set_up_.session(), true);
-            if (ended()) return false;
-            if (!hand_.look(err)) return false;
+            if (ended()) return 0;
+            if (!hand_.look(err)) return 1;
             kept_.keep_saved(clock_.now_s());
             worlds_.keep_notes(clock_.now_s());
             loading.report(clock_.now_s(), [this](const std::string& words) { say_(words); });
@@ -168,16 +170,18 @@ private:
             draw_words();
         }
         auto world = loading.take();
-        if (!world) {
-            say_(world.error().sentence());
-            fmt::print(err, "{}\n", world.error().sentence());
-            return false;
-        }
-        if (ended()) return false;
+        const auto refused = [&](const Error& why, int status) {
+            say_(why.sentence());
+            fmt::print(err, "{}\n", why.sentence());
+            return status;
+        };
+        if (!world) return refused(world.error(), 1);
+        if (world->begins_at && !*world->begins_at) return refused(world->begins_at->error(), 2);
+        if (ended()) return 0;
         // The announcement of the world is part of the greeting's reply, so it waits for the greeting instead of
         // interrupting it.
         worlds_.enter(std::move(*world), hand_.requested_s());
-        return true;
+        return std::nullopt;
     }
 
     int explore(std::ostream& err) {

@@ -51,6 +51,7 @@ ExploreCall as_somebody_else(ExploreCall requested, ExploreEnd end) {
     if (!arguments.learner.empty()) arguments.record_in.reset();
     arguments.world = std::move(end.world.file);
     arguments.common.building = std::move(end.world.building);
+    arguments.at.clear();
     arguments.common.unit_m.reset();  // the next session reads the unit from the file next to the world
     arguments.lesson_settings.clear();
     arguments.lines = std::move(end.lines);

@@ -139,6 +139,20 @@ Result<Scene> mended_and_valid(Result<importing::ImportedWorld> read, const fs::
     return scene;
 }
 
+core::SideFile additions_to(const fs::path& world, const CommonArguments& common) {
+    const fs::path kept = kept_by(world);
+    if (common.data_in.empty())
+        return core::SideFile::of_world(kept, core::user_data_folder(), is_shipped(world), toml_next_to_worlds());
+    std::error_code ec;
+    const fs::path own = core::SideFile::path_of(kept, common.data_in, true),
+                   of_all = core::SideFile::path_of(kept, core::user_data_folder(), is_shipped(world));
+    if (!fs::exists(own, ec) && fs::exists(of_all, ec)) {
+        fs::create_directories(own.parent_path(), ec);
+        fs::copy_file(of_all, own, ec);  // if copying fails, the learner begins without additions
+    }
+    return core::SideFile::of_world(kept, common.data_in, true, toml_next_to_worlds());
+}
+
 fs::path first_world() { return world_folder() / "first_room.map"; }
 
 fs::path CommonArguments::data_folder() const { return data_in.empty() ? core::user_data_folder() : data_in; }

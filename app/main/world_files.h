@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/core/kept/routes_keeper.h"
+#include "app/core/kept/side_file.h"
 #include "app/core/kept/world_request.h"
 #include "app/import/import_world.h"
 #include "settings/toml_value.h"
@@ -58,6 +59,9 @@ Scene mended(Scene scene, const std::filesystem::path& world, const CommonArgume
 // validate(). Any thread may call it.
 Result<Scene> mended_and_valid(Result<importing::ImportedWorld> read, const std::filesystem::path& world,
                                const CommonArguments& common);
+// Returns the person's additions to the world. Those of a learner are in the learner's own folder, and begin as a copy
+// of the additions in the user's folder. Any thread may call it.
+core::SideFile additions_to(const std::filesystem::path& world, const CommonArguments& common);
 // Returns the world that the program explores if the person names none.
 std::filesystem::path first_world();
 

@@ -19,9 +19,9 @@ settings::SettingsStore settings_of(const core::WorldRequest& request, std::vect
     return settings;
 }
 
-WorldLoading::WorldLoading(const core::WorldRequest& request, const CommonArguments& common)
+WorldLoading::WorldLoading(const core::WorldRequest& request, const CommonArguments& common, const WantedStart& start)
     : file_(request.file.filename().string()) {
-    task_.begin([this, request, common](const std::stop_token& stop) -> Result<LoadedWorld> {
+    task_.begin([this, request, common, start](const std::stop_token& stop) -> Result<LoadedWorld> {
         LoadedWorld loaded;
         loaded.requested = request;
         loaded.request = with_kept_unit(request, common);
@@ -34,6 +34,11 @@ WorldLoading::WorldLoading(const core::WorldRequest& request, const CommonArgume
         loaded.entering = core::make_ready_to_touch(
             std::make_shared<const Scene>(mended(std::move(world->scene), path, common)), stop);
         loaded.entering.ways = navigation_in_cache();
+        if (!start.name.empty()) {
+            loaded.additions = additions_to(path, common);
+            loaded.begins_at = start_place(loaded.entering.file, start, *loaded.additions, loaded.entering.heading_rad,
+                                           loaded.entering.ways);
+        }
         loaded.settings = settings_of(loaded.request, loaded.settings_problems);
         std::error_code ec;
         read_lessons_ahead(std::filesystem::absolute(path, ec), stop);

@@ -10,6 +10,7 @@
 #include "app/core/world/entering.h"
 #include "app/main/commands.h"
 #include "app/main/long_work.h"
+#include "app/main/start_place.h"
 #include "settings/settings.h"
 #include "worlds/base/background_task.h"
 
@@ -22,6 +23,10 @@ struct LoadedWorld {
     core::WorldRequest request;        // the same as `requested`, with the unit that a person has stated before
     settings::SettingsStore settings;  // only the settings of SettingSource::World
     std::vector<Diagnostic> settings_problems;
+    // Set only if a place to start at was wanted: that place, or why there is none, and the person's additions to the
+    // world, in which its name was searched for.
+    std::optional<Result<core::Placed>> begins_at;
+    std::optional<core::SideFile> additions;
 };
 
 // Returns the settings from the file next to the world (SettingSource::World). The settings of a lesson override them.
@@ -29,8 +34,8 @@ settings::SettingsStore settings_of(const core::WorldRequest& request, std::vect
 
 class WorldLoading {
 public:
-    // Begins to load the world at once.
-    WorldLoading(const core::WorldRequest& request, const CommonArguments& common);
+    // Begins to load the world at once. If `start` has a name, also searches for that place.
+    WorldLoading(const core::WorldRequest& request, const CommonArguments& common, const WantedStart& start = {});
 
     bool ready() const { return task_.ready(); }
     // Calls `say` with the sentence that is due, such as "Loading, 40 percent: building walls and floors."

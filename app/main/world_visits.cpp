@@ -118,7 +118,8 @@ void WorldVisits::set_lesson_settings(std::vector<std::pair<std::string, std::st
 
 void WorldVisits::enter(LoadedWorld world, double requested_s) {
     const std::shared_ptr<const Scene> file = world.entering.file;
-    core::SideFile side_file = additions_to(world.request.file);
+    core::SideFile side_file =
+        world.additions ? std::move(*world.additions) : additions_to(world.request.file, arguments_.common);
     // If the command line states a unit, store it. Later sessions without that option use the stored unit.
     if (world.requested.unit_m) {
         core::keep_unit(side_file, *world.requested.unit_m);
@@ -137,7 +138,8 @@ void WorldVisits::enter(LoadedWorld world, double requested_s) {
     watch_.begin(here_.file, requested_s);
     take_settings(std::move(world.settings), world.settings_problems, requested_s);
     app_.apply(core::WorldEntered{std::move(world.entering), std::move(side_file), std::move(world.request),
-                                  settings_.values()},
+                                  settings_.values(),
+                                  world.begins_at ? std::optional(world.begins_at->value()) : std::nullopt},
                requested_s);
     // The problems of the file come after the name of the building.
     if (const ReadReport& report = file->report; report.warnings_in_all > 0)
@@ -146,22 +148,6 @@ void WorldVisits::enter(LoadedWorld world, double requested_s) {
              requested_s);
     recent_.add(here_.file);
     app_.apply(core::WorldsKnown{{world_folder(), recent_.worlds()}}, requested_s);
-}
-
-// Returns the person's additions to the world. Those of a learner are in the learner's own folder, and begin as a copy
-// of the additions in the user's folder.
-core::SideFile WorldVisits::additions_to(const std::filesystem::path& path) const {
-    const std::filesystem::path kept = kept_by(path);
-    if (arguments_.common.data_in.empty())
-        return core::SideFile::of_world(kept, core::user_data_folder(), is_shipped(path), toml_next_to_worlds());
-    std::error_code ec;
-    const std::filesystem::path own = core::SideFile::path_of(kept, arguments_.common.data_in, true),
-                                of_all = core::SideFile::path_of(kept, core::user_data_folder(), is_shipped(path));
-    if (!std::filesystem::exists(own, ec) && std::filesystem::exists(of_all, ec)) {
-        std::filesystem::create_directories(own.parent_path(), ec);
-        std::filesystem::copy_file(of_all, own, ec);  // if copying fails, the learner begins without additions
-    }
-    return core::SideFile::of_world(kept, arguments_.common.data_in, true, toml_next_to_worlds());
 }
 
 void WorldVisits::begin_reading(core::WorldRequest request) {

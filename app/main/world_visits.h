@@ -75,7 +75,6 @@ public:
 
 private:
     bool of_learner() const { return !arguments_.common.data_in.empty(); }
-    core::SideFile additions_to(const std::filesystem::path& path) const;
     void watch_file(double now_s);
     void begin_reading(core::WorldRequest request);
     void take_settings(settings::SettingsStore settings, const std::vector<Diagnostic>& problems, double requested_s);

@@ -109,6 +109,9 @@ Json json_of(const core::WorldEntered& in) {
               {"unit_is_known", read.unit_is_known}};
     if (!read.building.empty()) json["building"] = read.building;
     if (in.settings) json["settings"] = json_of(*in.settings);
+    if (in.begins_at)
+        json["begins_at"] =
+            Json{{"feet_m", json_of_vec(in.begins_at->feet_m)}, {"heading_rad", in.begins_at->heading_rad}};
     if (!in.additions) return json;
     json["checksum"] = in.additions->world_checksum();
     const auto text = in.additions->path().empty() ? fail({}) : read_whole_file(in.additions->path());
@@ -131,6 +134,8 @@ RecordedWorld world_of(const Json& json) {
     world.additions = json.value("additions", std::string());
     return world;
 }
+
+core::Placed placed_of(const Json& json) { return {vec_of(json.at("feet_m")), json.at("heading_rad").get<double>()}; }
 
 Json fields_of(const core::SessionInput& input) {
     return std::visit(
@@ -303,12 +308,10 @@ const std::map<std::string, ReadFields, std::less<>>& readers() {
                  {},
                  {},
                  world_of(j).request,
-                 j.contains("settings") ? std::optional(settings_of(j.at("settings"))) : std::nullopt};
+                 j.contains("settings") ? std::optional(settings_of(j.at("settings"))) : std::nullopt,
+                 j.contains("begins_at") ? std::optional(placed_of(j.at("begins_at"))) : std::nullopt};
          }},
-        {"placed",
-         [](const Json& j) -> core::SessionInput {
-             return core::Placed{vec_of(j.at("feet_m")), j.at("heading_rad").get<double>()};
-         }},
+        {"placed", [](const Json& j) -> core::SessionInput { return placed_of(j); }},
         {"told",
          [](const Json& j) -> core::SessionInput {
              return core::Announcement{j.at("text").get<std::string>(),

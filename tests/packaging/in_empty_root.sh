@@ -163,7 +163,7 @@ says "$(visit '' settings)" "workspace.scale = 33"
 said=$(visit $'marks\nlist\nescape\nquit' house --no-window --device none)
 says "$said" "Here I was"
 if [ -x "$root/usr/bin/update-mime-database" ]; then
-    for kind in x-quake-map x-ifc vnd.openstreetmap.data+xml; do grep -qrs "application/$kind:" "$root/usr/share/mime/globs2" || fail "application/$kind is not known after installing."; done
+    for kind in x-quake-map x-ifc vnd.openstreetmap.data+xml x-handrail-link; do grep -qrs "application/$kind:" "$root/usr/share/mime/globs2" || fail "application/$kind is not known after installing."; done
 fi
 
 own=$(cd "$root/srv/visitor" && find . -type f -exec sha256sum {} + | sort)

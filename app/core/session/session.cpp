@@ -38,7 +38,7 @@ Session::Session(const settings::Settings& settings, const HandFacts& hand, cons
     for (const std::string& problem : state_.person.keys.problems()) say(problem, cues::SpeechClass::Answer, 0.0);
 }
 
-void Session::enter_world(EnteringWorld world, double now_s) {
+void Session::enter_world(EnteringWorld world, const std::optional<Placed>& begins_at, double now_s) {
     settled_.give_up();
     keep_learnt(now_s);
     state_.avatar.walker.reset();
@@ -67,6 +67,10 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     state_.world.home_feet_m = state_.avatar.walker->state().feet_m;
     state_.world.home_heading_rad = state_.avatar.heading_rad = state_.avatar.heading_goal_rad =
         wrap_angle(world.heading_rad);
+    if (begins_at) {
+        state_.avatar.walker->place(begins_at->feet_m);
+        state_.avatar.heading_rad = state_.avatar.heading_goal_rad = wrap_angle(begins_at->heading_rad);
+    }
     bodies_.enter_world(std::move(world.moves_freely), now_s);
     soundscape_.enter(*state_.world.scene);
     learn_.place.enter_world(now_s);

@@ -138,7 +138,7 @@ public:
 private:
     void wire();  // session_wiring.cpp defines this function
     // The following functions each apply one input of session_input.h.
-    void enter_world(EnteringWorld world, double now_s);
+    void enter_world(EnteringWorld world, const std::optional<Placed>& begins_at, double now_s);
     void place(const Vec3& feet_m, double heading_rad, double now_s);
     void set_hand(const HandFacts& hand, const settings::Settings& settings, double now_s);
     void set_left_hand(const HandFacts& hand, double now_s);

@@ -33,7 +33,7 @@ bool Session::apply(SessionInput input, double now_s) {
                    [&](WorldEntered& in) {
                        given_.side_file = std::move(in.additions);
                        if (in.settings) take_settings(std::move(*in.settings), now_s);
-                       enter_world(std::move(in.world), now_s);
+                       enter_world(std::move(in.world), in.begins_at, now_s);
                    },
                    [&](const Placed& in) { place(in.feet_m, in.heading_rad, now_s); },
                    [&](Announcement& in) { say(std::move(in.text), in.speech_class, now_s); },

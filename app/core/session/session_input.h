@@ -100,22 +100,24 @@ struct LeftHandChanged {
 struct HandOffered {
     std::string spoken_name;
 };
+// Moves the walker, and the workspace with the walker, to another place in this world.
+struct Placed {
+    Vec3 feet_m;
+    double heading_rad = 0.0;
+};
 // Enters a world. The walker is placed at the start of the world, and the session announces that place.
 // - additions: what the person added to the world, with the side file; none: additions stay in memory and are lost
 //   with the world.
 // - request: the file and how it was read, so that the world can be read again.
 // - settings: the person's settings from now on. They include the settings of this world instead of the previous one.
 //   none: the settings stay the same.
+// - begins_at: where the walker is placed instead of the start, which stays the base; none: at the start.
 struct WorldEntered {
     EnteringWorld world;
     std::optional<SideFile> additions = {};
     WorldRequest request = {};
     std::optional<settings::Settings> settings = {};
-};
-// Moves the walker, and the workspace with the walker, to another place in this world.
-struct Placed {
-    Vec3 feet_m;
-    double heading_rad = 0.0;
+    std::optional<Placed> begins_at = {};
 };
 // A sentence to announce from outside the session, such as a problem while loading or news about a device.
 struct Announcement {
