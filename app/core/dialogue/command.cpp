@@ -48,6 +48,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::Describe, "describe", "Shift+F3", false},
     CommandInfo{Command::Overview, "overview", "Shift+F5", false},
     CommandInfo{Command::Storeys, "storeys", "Shift+F6", false},
+    CommandInfo{Command::AboveBelow, "above-below", "Shift+F7", false},
     CommandInfo{Command::LookNext, "look", "5", false},
     CommandInfo{Command::LookBefore, "look-back", "Shift+5", false},
     CommandInfo{Command::ScaleBar, "scale-bar", "6", false},
@@ -152,11 +153,11 @@ const CommandInfo& info(Command command) {
 InList in_list(Command command) {
     if (is_one_of(command, {Command::StopEverything, Command::StopSpeech, Command::ToggleForces}))
         return InList::Always;
-    return is_one_of(command,
-                     {Command::WhereAmI, Command::Heading, Command::AroundMe, Command::AheadOfMe, Command::LookNext,
-                      Command::LookBefore, Command::ScaleBar, Command::Coordinates, Command::WhatIsThis, Command::Exits,
-                      Command::UnvisitedExits, Command::RepeatLeg, Command::RestOfRoute, Command::Repeat,
-                      Command::HistoryBack, Command::HistoryForward, Command::Leave})
+    return is_one_of(command, {Command::WhereAmI, Command::Heading, Command::AroundMe, Command::AheadOfMe,
+                               Command::LookNext, Command::LookBefore, Command::AboveBelow, Command::ScaleBar,
+                               Command::Coordinates, Command::WhatIsThis, Command::Exits, Command::UnvisitedExits,
+                               Command::RepeatLeg, Command::RestOfRoute, Command::Repeat, Command::HistoryBack,
+                               Command::HistoryForward, Command::Leave})
                ? InList::Answered
                : InList::Waits;
 }

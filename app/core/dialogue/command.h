@@ -42,13 +42,14 @@ enum class Command : std::uint8_t {
     // The following commands ask questions.
     WhereAmI,
     Heading,
-    AroundMe,   // announces one thing for each quarter of the circle
-    AheadOfMe,  // announces up to four things, the nearest first
-    Lost,       // turns to the nearest wall; announces the room and the route to the last known place
-    Describe,   // opens a list of rooms; for the chosen one, announces size, exits and things by wall
-    Overview,   // describes the building in three sentences
-    Storeys,    // opens a list of storeys; for the chosen one, offers the lift or the route
-    LookNext,   // announces what is in the next of 16 directions, or where the hand points
+    AroundMe,    // announces one thing for each quarter of the circle
+    AheadOfMe,   // announces up to four things, the nearest first
+    Lost,        // turns to the nearest wall; announces the room and the route to the last known place
+    Describe,    // opens a list of rooms; for the chosen one, announces size, exits and things by wall
+    Overview,    // describes the building in three sentences
+    Storeys,     // opens a list of storeys; for the chosen one, offers the lift or the route
+    AboveBelow,  // announces the rooms straight above and below the person
+    LookNext,    // announces what is in the next of 16 directions, or where the hand points
     LookBefore,
     ScaleBar,     // announces the scale and where north is
     Simplified,   // opens a list of what is too small to be rendered truly at this scale

@@ -18,7 +18,7 @@ enum class QuestionKind : std::uint8_t {
     WayTo,        // a route to it
     WhatIsIn,     // what is in a room
     RoomOf,       // in which room a thing is
-    SizeOf,       // how large a room is; without a name, the present one
+    SizeOf,       // how large a room is, and how a corridor runs; without a name, the present one
     IsOpen,       // whether a door is open; without a name, the one nearby
     WhichDoor,    // which door is nearby and where it leads
     Nearest,      // the nearest door, window or flight of stairs
@@ -26,7 +26,7 @@ enum class QuestionKind : std::uint8_t {
     Rooms,        // the names of the rooms
     StoreyAbove,  // which rooms the next storey has
     StoreyBelow,
-    Above,  // which room is above the person
+    Above,  // which rooms are above a room; without a name, above the person
     Below,
     GoUp,  // a route to the next storey
     GoDown,

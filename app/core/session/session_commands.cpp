@@ -76,6 +76,7 @@ struct Session::Carriers {
         Row{Command::Describe, {}, {far}},
         Row{Command::Overview, {labyrinth}, {far}},
         Row{Command::Storeys, {}, {guide}},
+        Row{Command::AboveBelow, {}, {far}},
         Row{Command::LookNext, {}, {queries}},
         Row{Command::LookBefore, {}, {queries}},
         Row{Command::ScaleBar, {}, {queries}},

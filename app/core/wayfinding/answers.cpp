@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "app/core/context/context_words.h"
+#include "app/core/whereabouts/extents.h"
+#include "app/core/whereabouts/over_under.h"
 #include "app/core/whereabouts/room_things.h"
 #include "app/core/whereabouts/room_words.h"
 #include "app/core/whereabouts/storeys.h"
@@ -16,7 +18,6 @@ namespace handrail::core {
 namespace {
 
 constexpr std::size_t kMostRoomsInAnswer = 12;  // a sentence names no more rooms than this
-constexpr double kLeastRiseToNextRoom_m = 1.8;  // floors nearer than this are not above each other
 
 // Returns "hall, kitchen and 3 more".
 std::string names_of(const navigation::RoomGraph& graph, const std::vector<std::uint32_t>& rooms) {
@@ -114,9 +115,9 @@ std::optional<std::string> Answers::words(const Question& question, const Named*
         case QuestionKind::StoreyBelow:
             return storey_beside(-1);
         case QuestionKind::Above:
-            return room_over(1);
+            return over(named, 1);
         case QuestionKind::Below:
-            return room_over(-1);
+            return over(named, -1);
         case QuestionKind::GoUp:
             return go_storey(1, now_s);
         case QuestionKind::GoDown:
@@ -190,7 +191,8 @@ std::string Answers::room_of_thing(const Named& named) const {
 
 std::string Answers::size_of(std::uint32_t room) const {
     if (room == navigation::kNothing) return phrase("answer.no_room");
-    return room_size_words(context_, rooms_, room);
+    const std::string runs = extent_words(context_, rooms_, room);
+    return room_size_words(context_, rooms_, room) + (runs.empty() ? runs : " " + runs);
 }
 
 // ---- doors ----
@@ -326,24 +328,9 @@ std::string Answers::storey_beside(int by) const {
                                     {"names", names_of(rooms_.graph(), storeys[other].rooms)}});
 }
 
-// Returns the room straight above or below the person.
-std::string Answers::room_over(int by) const {
-    const navigation::RoomGraph& graph = rooms_.graph();
-    const Vec3& feet_m = context_.avatar.feet_m();
-    std::uint32_t nearest = navigation::kNothing;
-    double nearest_m = 0.0;
-    for (std::uint32_t r = 0; r < graph.rooms.size(); ++r) {
-        const double rise_m = by * (graph.rooms[r].floor_m - feet_m.z);
-        if (r == rooms_.here() || rise_m < kLeastRiseToNextRoom_m ||
-            (nearest != navigation::kNothing && rise_m >= nearest_m))
-            continue;
-        if (navigation::room_at(graph, rooms_.space(), {feet_m.x, feet_m.y, graph.rooms[r].floor_m}) != r) continue;
-        nearest = r;
-        nearest_m = rise_m;
-    }
-    const char* above = by > 0 ? "yes" : "no";
-    if (nearest == navigation::kNothing) return phrase("answer.no_room_over", {{"above", above}});
-    return phrase("answer.room_over", {{"above", above}, {"room", graph.rooms[nearest].name}});
+// Names the rooms above or below the named room, or else above or below the person.
+std::string Answers::over(const Named* named, int by) const {
+    return named ? over_room_words(rooms_, named->room, by) : over_person_words(context_, rooms_, by);
 }
 
 std::string Answers::own_storey() const {

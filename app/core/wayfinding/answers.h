@@ -53,7 +53,7 @@ private:
     std::string how_many(CommonNoun noun) const;
     std::string all_rooms() const;
     std::string storey_beside(int by) const;
-    std::string room_over(int by) const;
+    std::string over(const Named* named, int by) const;
     std::string own_storey() const;
     void go_to(const Named& named, double now_s);
     std::optional<std::string> go_storey(int by, double now_s);

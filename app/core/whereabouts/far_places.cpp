@@ -7,6 +7,7 @@
 #include "app/core/context/context_words.h"
 #include "app/core/context/kinds_first.h"
 #include "app/core/dialogue/brief_words.h"
+#include "app/core/whereabouts/over_under.h"
 #include "app/core/whereabouts/room_words.h"
 #include "app/core/whereabouts/storeys.h"
 #include "app/core/world/nearest_wall.h"
@@ -35,12 +36,18 @@ bool FarPlaces::act(Command command, double now_s) {
     if (command == Command::Lost) find_bearings(now_s);
     else if (command == Command::Describe) choose_room(now_s);
     else if (command == Command::Overview) announce_building(now_s);
+    else if (command == Command::AboveBelow) announce_above_and_below(now_s);
     else return false;
     return true;
 }
 
 void FarPlaces::announce_building(double now_s) {
     if (rooms_.have(now_s)) context_.answer(building_words(context_, rooms_), now_s);
+}
+
+void FarPlaces::announce_above_and_below(double now_s) {
+    if (!rooms_.have(now_s)) return;
+    context_.answer(over_person_words(context_, rooms_, 1) + " " + over_person_words(context_, rooms_, -1), now_s);
 }
 
 void FarPlaces::know(Known place) {

@@ -1,6 +1,6 @@
 // Helps a person who is lost, or who wants to know a place before going there. It carries out the command "I am lost",
-// the description of a distant room, and the description of the building in three sentences. Use it on the app thread
-// only.
+// the description of a distant room, the rooms above and below, and the description of the building in three sentences.
+// Use it on the app thread only.
 #pragma once
 
 #include <deque>
@@ -17,7 +17,7 @@ public:
     FarPlaces(const SessionContext& context, WalkerState& avatar, Rooms& rooms);
 
     void enter_world();
-    // Carries out these three commands. Returns false for other commands.
+    // Carries out these four commands. Returns false for other commands.
     bool act(Command command, double now_s);
     // Call it with every command that was carried out. If the command announced the person's location, the present
     // place becomes a known place.
@@ -39,6 +39,7 @@ private:
     void find_bearings(double now_s);
     void choose_room(double now_s);
     void announce_building(double now_s);
+    void announce_above_and_below(double now_s);
 
     WalkerState& avatar_;
     Rooms& rooms_;

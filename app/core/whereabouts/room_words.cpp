@@ -10,6 +10,7 @@
 
 #include "app/core/context/context_words.h"
 #include "app/core/dialogue/brief_words.h"
+#include "app/core/whereabouts/extents.h"
 #include "app/core/whereabouts/room_things.h"
 #include "app/core/whereabouts/storeys.h"
 #include "app/core/world/questions.h"
@@ -239,6 +240,7 @@ std::string room_words(const SessionContext& context, const Rooms& rooms, std::u
         text += " " + (storeys[on].file_name.empty()
                            ? phrase("describe.storey", {{"storey", on + 1}})
                            : phrase("describe.storey_named", {{"storey", storey_name(storeys, on)}}));
+    if (std::string runs = extent_words(context, rooms, room); !runs.empty()) text += " " + runs;
     text += " " + exits_words(context, graph, room);
     std::array<std::vector<std::pair<double, std::string>>, kMiddle + 1> things;
     for (const Feature& feature : context.world.scene->features) {

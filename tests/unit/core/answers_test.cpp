@@ -89,6 +89,25 @@ TEST(Answers, describe_what_is_above_below_and_around) {
     EXPECT_THAT(s.typed("what is in the kitchen"), AllOf(StartsWith("Kitchen: "), HasSubstr("Refrigerator")));
 }
 
+TEST(Answers, name_the_rooms_above_and_below_a_room) {
+    Visitor s;
+    const std::string above = s.typed("what is above the kitchen");
+    EXPECT_THAT(above, StartsWith("Above Kitchen: "));
+    EXPECT_THAT(s.typed("which rooms are below the landing?"), AllOf(StartsWith("Below Landing: "), HasSubstr("Hall")));
+    EXPECT_EQ(s.typed("what is below the kitchen"), "No room is below Kitchen.");
+    EXPECT_EQ(s.request(Command::AboveBelow), "Above you: Landing. No room is below you.");
+}
+
+TEST(Answers, say_how_a_corridor_runs_and_what_is_at_its_ends) {
+    Visitor s("school.map");
+    const std::string runs = s.typed("how long is the lower corridor");
+    EXPECT_THAT(runs, AllOf(StartsWith("Lower corridor: "), HasSubstr(" It runs "),
+                            HasSubstr(" from west to east, with "), HasSubstr("West end: "), HasSubstr("East end: ")));
+    EXPECT_THAT(s.typed("describe the lower corridor"), HasSubstr(runs.substr(runs.find("It runs"))));
+    EXPECT_THAT(s.typed("where does the lower corridor run"), runs);
+    EXPECT_THAT(s.typed("how big is the library"), ::testing::Not(HasSubstr("It runs")));
+}
+
 TEST(Answers, lead_to_the_first_room_of_the_next_storey) {
     Visitor s;
     EXPECT_THAT(s.typed("how do i get upstairs"), StartsWith("To Landing."));
