@@ -27,7 +27,7 @@ LegForm english_legs() {
             std::regex("^(\\d+) steps?, until (you meet .*|something stops you)$"),
             std::regex("^(?:\\d+ stairs?|Ramp) (?:up|down), (?:in (\\d+) steps?|just ahead), to the end$"),
             std::regex("^(Open|Shut) it$"),
-            std::regex("^(About )?\\d+ steps?( and \\d+ stairs?)? in all$"),
+            std::regex("^(About )?\\d+ steps?( and \\d+ stairs?)? in all(: .*)?$"),
             "You are there.",
             "Landing",
             "Foot of the stairs"};
@@ -55,7 +55,7 @@ LegForm german_legs() {
         std::regex("^(\\d+) Schritte?, bis (zum Anstoßen: .*|es nicht mehr weitergeht)$"),
         std::regex("^(?:\\d+ Stufen?|Rampe) (?:hinauf|hinab), (?:in (\\d+) Schritt(?:en)?|gleich vorn), bis zum Ende$"),
         std::regex("^(Öffnen|Schließen)$"),
-        std::regex("^(Etwa )?\\d+ Schritte?( und \\d+ Stufen?)? insgesamt$"),
+        std::regex("^(Etwa )?\\d+ Schritte?( und \\d+ Stufen?)? insgesamt(: .*)?$"),
         "Das Ziel ist erreicht.",
         "Treppenabsatz",
         "Fuß der Treppe"};

@@ -49,6 +49,7 @@ enum class Command : std::uint8_t {
     Overview,    // describes the building in three sentences
     Storeys,     // opens a list of storeys; for the chosen one, offers the lift or the route
     AboveBelow,  // announces the rooms straight above and below the person
+    Places,      // opens a list of all places with kind, room and distance; typed, gives them as a table
     LookNext,    // announces what is in the next of 16 directions, or where the hand points
     LookBefore,
     ScaleBar,     // announces the scale and where north is
@@ -98,6 +99,7 @@ enum class Command : std::uint8_t {
     TaskDone,  // the learner reports that the task is done, or answers its question by facing or pointing there
     Learners,  // requests a list of learners from the owner of the session
     Language,
+    Presets,  // opens a list of presets for walking and speech
     Devices,  // opens a list of the connected devices and their uses
     NextSound,
     LastSound,  // LastSound and NextSound step through the sound dictionary, which names and plays one sound at a time

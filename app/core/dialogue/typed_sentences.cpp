@@ -90,8 +90,9 @@ std::optional<Command> command_apart(const std::vector<TypedWord>& words) {
 }  // namespace
 
 bool takes_choice(Command command) {
-    return is_one_of(command, {Command::Describe, Command::Routes, Command::Find, Command::KeptRoutes,
-                               Command::LearntRooms, Command::Storeys, Command::Learners});
+    return is_one_of(command,
+                     {Command::Describe, Command::Routes, Command::Find, Command::KeptRoutes, Command::LearntRooms,
+                      Command::Storeys, Command::Learners, Command::Presets, Command::Places});
 }
 
 std::string without_fillers(std::string_view typed) { return name_from(typed_words(typed), 0, {}); }

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 
+#include "app/core/menu/preset_list.h"
 #include "app/core/menu/setting_lists.h"
 #include "audio-cues/plan/sound_table.h"
 #include "worlds/base/language.h"
@@ -14,6 +15,7 @@ bool Menu::act(Command command, double now_s) {
     else if (command == Command::Help) commands_.open(false, now_s);
     else if (command == Command::InputHelp) commands_.toggle_input_help(now_s);
     else if (command == Command::Language) languages_.open(now_s);
+    else if (command == Command::Presets) open_presets(context_, now_s);
     else if (command == Command::Devices) reports_.request_devices(now_s);
     else return false;
     return true;
@@ -37,6 +39,7 @@ void Menu::open(double now_s) {
     });
     add(phrase("language.menu"), [this] { languages_.open(context_.tick_s); });
     add(phrase("menu.settings"), [this] { open_setting_topics(context_, context_.tick_s); });
+    add(phrase("preset.title"), [this] { open_presets(context_, context_.tick_s); });
     add(phrase("menu.keys"), [this] { commands_.open(true, context_.tick_s); });
     add(phrase("menu.sounds"), [this] { open_sounds(context_.tick_s); });
     add(phrase("menu.devices"), [this] { reports_.request_devices(context_.tick_s); });

@@ -17,8 +17,8 @@ public:
     explicit Menu(const SessionContext& context)
         : SessionPart(context), commands_(context), worlds_(context), languages_(context), reports_(context) {}
 
-    // Carries out the commands for the menu, the list of keys, input help, languages and devices. Returns false for
-    // other commands.
+    // Carries out the commands for the menu, the list of keys, input help, languages, presets and devices. Returns
+    // false for other commands.
     bool act(Command command, double now_s);
 
     CommandLists& commands() { return commands_; }

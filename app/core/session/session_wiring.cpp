@@ -68,6 +68,7 @@ void Session::wire() {
     state_.events.on_reported = [this](const SessionEvent& event) { learn_.ways.see(event); };
     questions_.answers.learns = [this] { return learn_.place.guides(); };
     guide_.on_face = [this](double heading_rad, double now_s) { walk_.walking.face(heading_rad, now_s); };
+    guide_.on_leap = [this] { walk_.by_ear.keep_place(); };
     where_.climbs.on_way = [this] { return guide_.climb_here(); };
     guide_.on_no_route = [this](std::uint32_t room, double) { places_.why_no_route.look(room); };
     walk_.walking.line_up_m = [this](const Vec3& feet_m, double heading_rad) {

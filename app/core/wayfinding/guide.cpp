@@ -9,6 +9,7 @@
 #include "app/core/context/kinds_first.h"
 #include "app/core/wayfinding/find_list.h"
 #include "app/core/wayfinding/hand_path.h"
+#include "app/core/wayfinding/place_table.h"
 #include "app/core/wayfinding/storey_list.h"
 #include "app/core/whereabouts/storeys.h"
 #include "app/core/world/body_heights.h"
@@ -65,10 +66,13 @@ bool Guide::act(Command command, double now_s) {
     else if (command == Command::CrossLines) toggle_lines(now_s);
     else if (command == Command::Routes) list_routes(now_s);
     else if (command == Command::Storeys) list_storeys(now_s);
+    else if (command == Command::Places) list_places(now_s);
     else if (command == Command::RepeatLeg) ear_.announce_leg(now_s);
     else if (command == Command::NextLeg) ear_.announce_next_leg(now_s);
     else if (command == Command::RestOfRoute) ear_.announce_rest(now_s);
     else if (command == Command::FaceRoute) face_route(now_s);
+    else if (command == Command::LeapNext || command == Command::LeapLast)
+        return leap_along(command == Command::LeapNext, now_s);
     else return false;
     return true;
 }
@@ -251,10 +255,30 @@ void Guide::list_storeys(double now_s) {
         context_, rooms_, doors_, [this](std::uint32_t room, double then_s) { go_to_room(room, then_s); }, now_s);
 }
 
+void Guide::list_places(double now_s) {
+    if (!rooms_.have(now_s)) return;
+    open_places(
+        context_, rooms_,
+        [this](const PlaceRow& row, double then_s) {
+            if (row.room_index == navigation::kNothing) return open_tools(row.goal, then_s);
+            if (row.room_index == rooms_.here())
+                return context_.answer(phrase("answer.in_room", {{"room", row.name}}), then_s);
+            go_to_room(row.room_index, then_s);
+        },
+        now_s);
+}
+
 void Guide::go_to_room(std::uint32_t room, double now_s) {
     plans_.end();
     planned_.note(stop_in_room(rooms_, room), context_.avatar.feet_m());
     if (!ear_.follow_to_room(room, {}, now_s) && on_no_route) on_no_route(room, now_s);
+}
+
+// Leaps from leg to leg while a route is followed by ear. Returns false if the leap is not along a route.
+bool Guide::leap_along(bool on, double now_s) {
+    if (!ear_.following()) return false;
+    if (on_leap) on_leap();
+    return on ? ear_.leap_on(now_s) : ear_.leap_back(now_s);
 }
 
 void Guide::face_route(double now_s) {

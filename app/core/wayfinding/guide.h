@@ -40,8 +40,9 @@ public:
     }
 
     void enter_world();
-    // Carries out the commands SetBeacon, MuteBeacon, TakeMe, Find, CrossLines, Routes, Storeys and FaceRoute, and
-    // those for the legs of a route. Returns false for other commands.
+    // Carries out the commands SetBeacon, MuteBeacon, TakeMe, Find, CrossLines, Routes, Storeys, Places and FaceRoute,
+    // and those for the legs of a route. While a route is followed by ear, also carries out LeapNext and LeapLast.
+    // Returns false for other commands.
     bool act(Command command, double now_s);
     // Call these three functions in each tick, in this order. They update the route that is followed by ear, the
     // guidance of the hand, and the sounds of the things that the person searches for.
@@ -113,6 +114,7 @@ public:
     // reached.
     std::function<void(double heading_rad, double now_s)> on_face;
     std::function<void(std::uint32_t room, double now_s)> on_no_route;
+    std::function<void()> on_leap;  // called before a leap along a route; stores the present place for undoing
 
     const std::optional<Goal>& goal() const { return goal_; }  // returns the goal of the command TakeMe
     const Beacon& beacon() const { return seek_.beacon(); }
@@ -135,8 +137,10 @@ private:
     void mute_beacon(double now_s);
     void silence_beacon() { seek_.silence_beacon(); }
     void take_me(double now_s);
+    bool leap_along(bool on, double now_s);
     void list_routes(double now_s);
     void list_storeys(double now_s);
+    void list_places(double now_s);
     void open_find(double now_s);
     void set_beacon(const Goal& goal, double now_s);
     void beacon_here(double now_s);

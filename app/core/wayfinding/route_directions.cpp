@@ -306,6 +306,29 @@ std::optional<std::string> RouteDirections::total_words() const {
     return core::total_words(spoken_rest(), distances(context_));
 }
 
+std::optional<RouteDirections::Counts> RouteDirections::counts() const {
+    if (state_ != State::Known || !way_.route->whole) return std::nullopt;
+    Counts counts;
+    const std::vector<SpokenLeg> legs = spoken_rest();
+    for (std::size_t i = 0; i < legs.size(); ++i) {
+        if (legs[i].turn_notches != 0) ++counts.turns;
+        if (way_.route->legs[at_ + i].door != navigation::kNothing) ++counts.doors;
+    }
+    return counts;
+}
+
+std::optional<RouteDirections::LegEnd> RouteDirections::move_on() {
+    constexpr double kAtEnd_m = 0.3;
+    if (state_ != State::Known) return std::nullopt;
+    const std::vector<navigation::DirectionsLeg>& legs = way_.route->legs;
+    std::size_t to = at_;
+    while (to + 1 < legs.size() && glm::length(legs[to].to_m - context_.avatar.feet_m()) < kAtEnd_m) ++to;
+    const bool last = way_.route->whole && to + 1 == legs.size();
+    const LegEnd end{legs[to].to_m, navigation::notch_heading_rad(leg_at(to).notch), last};
+    at_ = std::min(to + 1, legs.size() - 1);
+    return end;
+}
+
 std::vector<SpokenLeg> RouteDirections::spoken_rest() const {
     std::vector<SpokenLeg> legs;
     navigation::DoorsOpen open = open_now();

@@ -56,6 +56,22 @@ public:
     // Returns the length of the remaining legs in words, as rest() gives them. Returns no value if not all legs are
     // known.
     std::optional<std::string> total_words() const;
+    // How many of the remaining legs begin with a turn, and how many lead through a door.
+    struct Counts {
+        std::size_t turns = 0, doors = 0;
+    };
+    // Returns no value if not all legs are known.
+    std::optional<Counts> counts() const;
+    // Moves on to the end of the present leg, or of the next one if the walker stands at that end already. The caller
+    // places the walker there. Returns no value while no leg is known.
+    struct LegEnd {
+        Vec3 at_m{0.0};
+        double heading_rad = 0.0;  // direction of the leg
+        bool last = false;         // true: the route ends there
+    };
+    std::optional<LegEnd> move_on();
+    // Plans the route again from the present place. tick() reports when its legs are known.
+    void plan_from_here() { plan(); }
     // Call it when the feature `by` has stopped the walker at its present place and heading. If a leg continues in that
     // direction, that leg then begins with the door that stopped the walker. If the cause was not a door, the spoken
     // directions end.

@@ -80,13 +80,47 @@ std::vector<std::string> route_legs(const navigation::Route& route, const std::v
     return legs;
 }
 
+RouteCounts counts_of(const navigation::Route& route, const std::vector<RouteNode>& nodes) {
+    RouteCounts counts;
+    for (const RouteNode& node : nodes) counts.turns += turn_words(node.turn_rad).empty() ? 0 : 1;
+    for (const navigation::RoutePassage& passage : route.passages)
+        counts.doors += passage.kind == navigation::PassageKind::Door ? 1 : 0;
+    return counts;
+}
+
+std::string summary_words(const std::string& distance, bool exact, const std::string& through,
+                          const RouteCounts& counts) {
+    std::string counted;
+    if (counts.turns > 0) counted = joined(counted, phrase("route.turns", {{"turns", counts.turns}}));
+    if (counts.doors > 0) counted = joined(counted, phrase("route.doors", {{"doors", counts.doors}}));
+    if (counts.storeys != 0)
+        counted = joined(counted, phrase("route.storeys", {{"storeys", std::abs(counts.storeys)},
+                                                           {"up", counts.storeys > 0 ? "yes" : "no"}}));
+    const char* any = counted.empty() ? "no" : "yes";
+    if (through.empty())
+        return capitalised(phrase(exact ? "route.in_all" : "route.in_all_about",
+                                  {{"distance", distance}, {"counted", any}, {"counts", counted}}));
+    return capitalised(phrase(exact ? "route.in_all_through" : "route.in_all_about_through",
+                              {{"distance", distance}, {"rooms", through}, {"counted", any}, {"counts", counted}}));
+}
+
 std::string route_words(const navigation::Route& route, std::vector<std::string> legs, const DistanceWords& how,
-                        std::size_t most) {
+                        std::size_t most, const RouteCounts& counts) {
     if (legs.empty()) return phrase("route.there");
     if (legs.size() > most) legs.resize(most);
-    legs.insert(legs.begin(),
-                capitalised(phrase("route.in_all_about", {{"distance", distance_words(route.length_m, how)}})));
+    legs.insert(legs.begin(), summary_words(distance_words(route.length_m, how), false, {}, counts));
     return fmt::format("{}", fmt::join(legs, " "));
+}
+
+std::optional<RouteFollower::NodePlace> RouteFollower::next_node() const {
+    constexpr double kAtNode_m = 0.3;
+    for (const RouteNode& node : nodes_) {
+        if (node.at_m < along_m_ + kAtNode_m) continue;
+        const Vec3 at_m = navigation::place_along(route_.points_m, node.at_m),
+                   before_m = navigation::place_along(route_.points_m, std::max(0.0, node.at_m - kAtNode_m));
+        return NodePlace{at_m, bearing(before_m, at_m), &node == &nodes_.back()};
+    }
+    return std::nullopt;
 }
 
 void RouteFollower::follow(navigation::Route route, std::vector<RouteNode> nodes) {

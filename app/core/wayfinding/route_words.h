@@ -33,10 +33,21 @@ std::vector<RouteNode> nodes_of(const navigation::Route& route, const std::strin
 // `heading_rad` is the direction that the person faces. The result is empty if the person is at the goal.
 std::vector<std::string> route_legs(const navigation::Route& route, const std::vector<RouteNode>& nodes,
                                     double heading_rad, const DistanceWords& how);
+// What a summary of a route counts besides its length.
+struct RouteCounts {
+    std::size_t turns = 0, doors = 0;
+    int storeys = 0;  // storeys up; negative: down
+};
+// Counts the turns in `nodes` and the doors of the route.
+RouteCounts counts_of(const navigation::Route& route, const std::vector<RouteNode>& nodes);
+// Returns one sentence about a route: "19 steps and 16 stairs in all, through Hall: 3 turns, 2 doors, one storey up."
+// What is not there is left out. `distance` is the length in words; `exact` is false if it is approximate.
+std::string summary_words(const std::string& distance, bool exact, const std::string& through,
+                          const RouteCounts& counts);
 // Returns the length of a route and its first `most` legs: "About 28 steps in all. Turn slightly left. 14 steps." The
 // length is approximate, because each leg is rounded.
 std::string route_words(const navigation::Route& route, std::vector<std::string> legs, const DistanceWords& how,
-                        std::size_t most = SIZE_MAX);
+                        std::size_t most = SIZE_MAX, const RouteCounts& counts = {});
 
 // Follows a walker along a route. Announces each feature once when it is 6 m ahead. When the walker reaches it,
 // announces it again with the next turn. After every 10 m without an announcement, says that the person is on the
@@ -55,6 +66,13 @@ public:
     const Vec3& goal_m() const { return route_.points_m.back(); }
     double along_m() const { return along_m_; }  // distance of the person along the route
     std::vector<Vec3> ahead_m() const;           // returns the rest of the route
+    // The next place on the route where something is due, with the direction in which the route arrives there.
+    struct NodePlace {
+        Vec3 at_m{0.0};
+        double heading_rad = 0.0;
+        bool last = false;  // true: the route ends there
+    };
+    std::optional<NodePlace> next_node() const;
     double left_m() const { return std::max(0.0, route_.length_m - along_m_); }
     // A function that decides whether the person has arrived. `at_end` is true if the end of the route is within
     // kThere_m. A wall may still be in between.

@@ -13,6 +13,7 @@
 #include "app/core/wayfinding/leg.h"
 #include "app/core/wayfinding/whole_route_words.h"
 #include "app/core/whereabouts/climbs.h"
+#include "app/core/whereabouts/storeys.h"
 #include "worlds/base/language.h"
 #include "worlds/navigation/reach.h"
 #include "worlds/navigation/route_place.h"
@@ -24,7 +25,6 @@ namespace {
 // plus kLongerOnFoot_m.
 constexpr double kLongerOnFoot = 1.5, kLongerOnFoot_m = 15.0;
 constexpr double kTakenUpAhead_m = 2.0;  // how far ahead the person joins the old route again
-constexpr double kStoppedHere_m = 0.25;  // a walker farther from a stop has left it
 constexpr double kAtPlace_m = 0.2;       // if the walker is within this distance of the goal, no wall can be in between
 // The old route is kept if it is shorter than the new route times this factor.
 constexpr double kWorthTurningBack = 1.15;
@@ -43,6 +43,7 @@ void SpokenRoute::stop() {
     stopped_.reset();
     preference_ = navigation::RoutePreference::Safest;
     unfinished_.reset();
+    leapt_from_.clear();
     faces_ = rest_requested_ = length_owed_ = false;
 }
 
@@ -127,12 +128,28 @@ std::string SpokenRoute::overview(const navigation::Route& route) const {
 // Returns the length of the route that is followed, through these rooms. The length is the sum of the legs that the
 // person hears; it is approximate while their rest is being planned.
 std::string SpokenRoute::length_words(const std::string& through) const {
-    const bool total = directions_.whole() && directions_.at_work();
-    const std::string distance = left_words();
-    if (through.empty())
-        return capitalised(phrase(total ? "route.in_all" : "route.in_all_about", {{"distance", distance}}));
-    return capitalised(phrase(total ? "route.in_all_through" : "route.in_all_about_through",
-                              {{"distance", distance}, {"rooms", through}}));
+    return summary_words(left_words(), directions_.whole() && directions_.at_work(), through, counts());
+}
+
+// Returns what the summary of the followed route counts. The turns and doors are those of the legs once all legs are
+// known, and before that those of the planned path. A route of which later ticks plan more is not counted.
+RouteCounts SpokenRoute::counts() const {
+    if (unfinished_) return {};
+    RouteCounts counts = counts_of(follower_.route(), nodes_to(context_, follower_.route(), name_));
+    if (const auto of_legs = directions_.counts()) counts = {of_legs->turns, of_legs->doors};
+    counts.storeys = storeys_up();
+    return counts;
+}
+
+// Returns how many storeys the route leads up from here.
+int SpokenRoute::storeys_up() const {
+    const navigation::RoomGraph& graph = rooms_.graph();
+    const std::uint32_t to = navigation::room_at(graph, rooms_.space(), follower_.goal_m());
+    if (rooms_.here() == navigation::kNothing || to == navigation::kNothing) return 0;
+    const std::vector<StoreyOfRooms> storeys = storeys_of(*context_.world.scene, graph);
+    const std::size_t own = storey_of_room(storeys, graph, rooms_.here()), other = storey_of_room(storeys, graph, to);
+    if (own >= storeys.size() || other >= storeys.size()) return 0;
+    return static_cast<int>(other) - static_cast<int>(own);
 }
 
 std::string SpokenRoute::left_words() const {
@@ -181,11 +198,12 @@ bool SpokenRoute::follow(navigation::Route route, const std::string& name, const
         words += ' ';
         goal = phrase("rooms.nearest_place_to", {{"goal", name}});
     }
-    const std::string how = route_words(route, legs_to(route, goal), distances(context_), 1);
+    const std::vector<std::string> legs = legs_to(route, goal);
+    to_nearest_ = !route.reaches;
+    follow_silently(navigation::Route(route), goal);
+    const std::string how = route_words(route, legs, distances(context_), 1, counts());
     context_.announce(cues::SpeechTopic::Summary, words + phrase("rooms.way", {{"goal", goal}, {"route", how}}), now_s);
     context_.events.report(Led{goal, LedBy::Ear}, now_s);
-    to_nearest_ = !route.reaches;
-    follow_silently(std::move(route), goal);
     return !to_nearest_;
 }
 
@@ -211,7 +229,7 @@ void SpokenRoute::announce_onward(double now_s) { context_.answer(on_words(), no
 std::string SpokenRoute::on_words() {
     if (!follower_.following()) return phrase("way.none");
     const Vec3& feet_m = context_.avatar.feet_m();
-    if (stopped_ && glm::length(stopped_->at_m - feet_m) > kStoppedHere_m) stopped_->left = true;
+    leave_stop();
     const auto leg = next_leg(planned(), feet_m, 0.5 * context_.settings.walk.step_length_m);
     if (!leg) return phrase("way.no_floor");
     announced_ = leg->route;
@@ -253,81 +271,6 @@ std::string SpokenRoute::on_words() {
                    leaf;
         }
     return phrase("way.next", {{"goal", name_}, {"where", where}, {"all", all}}) + leaf;
-}
-
-void SpokenRoute::note_stop(FeatureId by) {
-    directions_.note_stop(by);
-    // The places aside are remembered for stops near the last one, because they did not help there.
-    constexpr double kNear_m = 1.0;
-    const Vec3& feet_m = context_.avatar.feet_m();
-    const int times = stopped_ && stopped_->by == by ? stopped_->times + 1 : 1;
-    std::vector<Vec3> tried_m;
-    if (stopped_ && glm::length(stopped_->at_m - feet_m) < kNear_m) {
-        tried_m = std::move(stopped_->tried_m);
-        if (stopped_->aside_m) tried_m.push_back(*stopped_->aside_m);
-    }
-    stopped_ = Stop{by, feet_m, context_.avatar.heading_rad, times, std::move(tried_m), {}, false};
-}
-
-// Returns true if something has just stopped the walker here, on the way to `to_m`.
-bool SpokenRoute::stopped_towards(const Vec3& to_m) const {
-    constexpr double kThatWay_rad = 0.8;
-    const Vec3 way = to_m - context_.avatar.feet_m();
-    return stopped_ && !stopped_->left && glm::length(stopped_->at_m - context_.avatar.feet_m()) < kStoppedHere_m &&
-           std::abs(wrap_angle(std::atan2(way.x, way.y) - stopped_->heading_rad)) < kThatWay_rad;
-}
-
-// If anything but a door has just stopped the walker here on the way to `to_m`, returns a place one step aside from
-// which the walker comes closest to `to_m`. The plan passes the obstacle by less than the width of a cell, or the
-// spoken direction, which is rounded, does not pass it. So the same direction would stop the walker again. A place that
-// was announced after an earlier stop near here is not announced again, since the walker came back from it.
-std::optional<Vec3> SpokenRoute::place_aside(const Vec3& to_m) const {
-    // In directions nearer to the obstacle or more straight back, the walker would meet the obstacle again.
-    constexpr int kLeast_notches = 3, kMost_notches = 6;
-    constexpr double kLeast_m = 0.1, kSame_m = 0.2;
-    if (!stopped_towards(to_m)) return std::nullopt;
-    const Feature* const met = context_.world.scene->find(stopped_->by);
-    const std::shared_ptr<const DirectionsFloor> floor = ground_.floor();
-    if ((met && met->kind == FeatureKind::Door) || !floor) return std::nullopt;
-    const navigation::BlindGround& ground = floor->ground;
-    const navigation::BlindWalker here = ground.body_at(context_.avatar.feet_m());
-    if (here.span == navigation::kNothing) return std::nullopt;
-    const navigation::DoorsOpen open = ground_.open_now(*floor);
-    std::optional<Vec3> best;
-    double best_m = std::numeric_limits<double>::infinity();
-    for (int notches = -kMost_notches; notches <= kMost_notches; ++notches) {
-        if (std::abs(notches) < kLeast_notches) continue;
-        navigation::BlindWalker body = here;
-        ground.walk(body, stopped_->heading_rad + navigation::notch_heading_rad(notches), floor->step_m,
-                    navigation::PaceEnd::Steps, open);
-        const Vec3 aside_m = ground.feet_m(body), way = to_m - aside_m;
-        ground.walk(body, std::atan2(way.x, way.y), std::hypot(way.x, way.y), navigation::PaceEnd::Steps, open);
-        // Of places that are equally good, the one with the most room is best.
-        const double left_m = glm::length(to_m - ground.feet_m(body)) -
-                              static_cast<double>(ground.space().spans[ground.body_at(aside_m).span].clearance_m);
-        const bool tried = std::any_of(stopped_->tried_m.begin(), stopped_->tried_m.end(), [&](const Vec3& earlier_m) {
-            return glm::length(aside_m - earlier_m) < kSame_m;
-        });
-        if (tried || left_m >= best_m || glm::length(aside_m - context_.avatar.feet_m()) < kLeast_m) continue;
-        best_m = left_m;
-        best = aside_m;
-    }
-    return best;
-}
-
-// Returns the door whose leaf blocks the straight line to `to_m`, or whose leaf has just stopped the walker here. A
-// leaf that meets only a shoulder also blocks, even if the plan passes that leaf. The text is empty if there is no such
-// leaf, or if the leaf has stopped the walker so often that it cannot be the only cause.
-std::string SpokenRoute::leaf_on_route(const Vec3& to_m) const {
-    constexpr int kMostTimes = 4;
-    std::string leaf = leaf_name(context_, leaf_ahead(context_, std::array{context_.avatar.feet_m(), to_m}));
-    if (!leaf.empty() || !stopped_towards(to_m) || stopped_->times > kMostTimes) return leaf;
-    const int mover = mover_of(context_.world, stopped_->by);
-    const Feature* const met = context_.world.scene->find(stopped_->by);
-    const bool open = mover >= 0 && met && met->kind == FeatureKind::Door &&
-                      context_.world.scene->movers[static_cast<std::size_t>(mover)].by_hand &&
-                      !shut(context_.world, static_cast<std::uint32_t>(mover));
-    return leaf_name(context_, open ? stopped_->by : kNoFeature);
 }
 
 // Returns true if the person stands near enough to these stairs to climb them with a key.
@@ -426,6 +369,47 @@ void SpokenRoute::announce_rest(double now_s) {
     const std::vector<std::string> legs = rest_of_route();
     rest_requested_ = legs.empty();
     announce(fmt::format("{}", fmt::join(legs, " ")), cues::SpeechTopic::Leg, now_s);
+}
+
+// Returns the room and the direction after a leap: "Hall, facing west."
+std::string SpokenRoute::here_words() const {
+    const std::uint32_t room = navigation::room_at(rooms_.graph(), rooms_.space(), context_.avatar.feet_m());
+    const std::string place =
+        room == navigation::kNothing ? spoken_name(*context_.world.scene) : rooms_.graph().rooms[room].name;
+    return phrase("questions.place_facing",
+                  {{"place", sentence_case(place)}, {"compass", fine_compass_word(context_.avatar.heading_goal_rad)}});
+}
+
+bool SpokenRoute::leap_on(double now_s) {
+    if (!follower_.following() || directions_.state() == RouteDirections::State::Planned) return false;
+    const Place from{context_.avatar.feet_m(), context_.avatar.heading_rad};
+    bool last = false;
+    if (const auto end = directions_.move_on()) {
+        context_.session_requests.place(end->at_m, end->heading_rad, now_s);
+        last = end->last;
+    } else if (const auto node = follower_.next_node()) {
+        context_.session_requests.place(node->at_m, node->heading_rad, now_s);
+        last = node->last;
+    } else {
+        return false;
+    }
+    leapt_from_.push_back(from);
+    context_.play(cues::SoundKind::Arrived, now_s);
+    const std::string leg = last ? std::string() : directions_.at_work() ? directions_.leg() : on_words();
+    announce(leg.empty() ? here_words() : here_words() + " " + leg, cues::SpeechTopic::Leg, now_s);
+    return true;
+}
+
+bool SpokenRoute::leap_back(double now_s) {
+    if (leapt_from_.empty()) return false;
+    const Place to = leapt_from_.back();
+    leapt_from_.pop_back();
+    context_.session_requests.place(to.feet_m, to.heading_rad, now_s);
+    // The present leg is now another one. Its words follow as soon as it is planned.
+    if (directions_.at_work()) directions_.plan_from_here();
+    context_.play(cues::SoundKind::Arrived, now_s);
+    announce(directions_.at_work() ? here_words() : here_words() + " " + on_words(), cues::SpeechTopic::Leg, now_s);
+    return true;
 }
 
 std::vector<std::string> SpokenRoute::rest_of_route() {

@@ -57,6 +57,11 @@ public:
     void announce_leg_unprompted(std::string words, bool anew, double now_s);
     void announce_anew(cues::SpeechTopic topic, double now_s);
     void announce_rest(double now_s);
+    // Places the walker at the end of the present leg, or at the next instruction of a route without legs, and
+    // announces that place and the next leg. Returns false if no route is followed, or if its legs are not known yet.
+    bool leap_on(double now_s);
+    // Places the walker where it was before the last leap along this route. Returns false if there was none.
+    bool leap_back(double now_s);
     // Returns what announce_rest() announces, one text for each leg. The result is empty if the legs are being planned
     // or no route is followed.
     std::vector<std::string> rest_of_route();
@@ -90,11 +95,16 @@ private:
     std::vector<std::string> legs_to(const navigation::Route& route, const std::string& goal) const;
     std::string overview(const navigation::Route& route) const;
     std::string length_words(const std::string& through) const;
+    RouteCounts counts() const;
+    int storeys_up() const;
+    std::string here_words() const;
     std::optional<Vec3> leg_place_m() const;
     void follow_silently(navigation::Route route, const std::string& goal);
     void announce(const std::string& words, cues::SpeechTopic topic, double now_s);
     bool stopped_towards(const Vec3& to_m) const;
     std::string leaf_on_route(const Vec3& to_m) const;
+    // Notes that the walker has left the place of the last stop, if it is so.
+    void leave_stop();
     std::optional<Vec3> place_aside(const Vec3& to_m) const;
     RouteFollower::Said tick_words(double now_s);
     void announce_facing(double now_s);
@@ -124,7 +134,12 @@ private:
     };
     std::optional<Stop> stopped_;                 // where and by what the walker was last stopped
     std::optional<navigation::Route> announced_;  // the rest of the route, as announce_onward() last announced it
-    std::shared_ptr<const Scene> planned_in_;     // the scene in which the route was planned
+    struct Place {
+        Vec3 feet_m{0.0};
+        double heading_rad = 0.0;
+    };
+    std::vector<Place> leapt_from_;            // places before the leaps along this route, the newest last
+    std::shared_ptr<const Scene> planned_in_;  // the scene in which the route was planned
 };
 
 }  // namespace handrail::core

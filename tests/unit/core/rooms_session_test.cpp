@@ -101,7 +101,7 @@ TEST(RoomsInASession, give_directions_to_another_room_and_along_the_route) {
     ASSERT_NE(reported, s.said.end()) << s.news();
     const std::string words = *reported;
     EXPECT_EQ(words, "To Music room. Through Stairs, Landing.");
-    EXPECT_TRUE(s.heard(" steps in all. ")) << s.news();
+    EXPECT_TRUE(s.heard(" steps in all: ")) << s.news();
     const std::string rest = s.request(Command::RestOfRoute);
     EXPECT_NE(rest.find(" stairs up, "), std::string::npos) << rest;
     EXPECT_NE(rest.find("Music room door, shut. Open it. "), std::string::npos) << rest;

@@ -106,10 +106,10 @@ struct OnTheWay : Chosen {
     OnTheWay() {
         release();
         // The length of the route is announced with the first leg; it is not yet exact.
-        constexpr std::string_view kLength = " in all. ";
+        constexpr std::string_view kLength = " in all";
         const std::string& said = person.said.back();
         EXPECT_EQ(said.find("About "), 0U) << said;
-        first = said.substr(said.find(kLength) + kLength.size());
+        first = said.substr(said.find(". ", said.find(kLength)) + 2);
     }
 };
 
