@@ -19,9 +19,9 @@ bool Preset::is_set(const Settings& settings) const {
 
 std::span<const Preset> presets() {
     static constexpr std::array kPresets{
-        Preset{"calm", 0.5, 0.6, 3},
-        Preset{"usual", 0.7, 1.0, 2},
-        Preset{"brisk", 0.8, 1.5, 1},
+        Preset{"calm", "preset_name.calm", 0.5, 0.6, 3},
+        Preset{"usual", "preset_name.usual", 0.7, 1.0, 2},
+        Preset{"brisk", "preset_name.brisk", 0.8, 1.5, 1},
     };
     return kPresets;
 }

@@ -1,5 +1,5 @@
 // Lists presets: several settings of walking and speech that a person chooses together by a name. Plain data, which any
-// thread may use. The names are in settings/languages, preset_name.
+// thread may use. The names are in settings/languages.
 #pragma once
 
 #include <span>
@@ -14,6 +14,7 @@ namespace handrail::settings {
 
 struct Preset {
     std::string_view id;         // the same in every language
+    std::string_view name_key;   // key of its name in settings/languages
     double step_length_m = 0.0;  // value of walk.step_length_m
     double speed_m_per_s = 0.0;  // value of walk.speed_m_per_s
     int verbosity = 0;           // value of speech.verbosity

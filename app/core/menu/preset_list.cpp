@@ -6,7 +6,7 @@
 namespace handrail::core {
 namespace {
 
-std::string name_of(const settings::Preset& preset) { return phrase("preset_name." + std::string(preset.id)); }
+std::string name_of(const settings::Preset& preset) { return phrase(preset.name_key); }
 
 // Returns the values of a preset: "steps of 0.5 metres, 0.6 metres a second, verbosity 3".
 std::string value_words(const settings::Preset& preset) {
