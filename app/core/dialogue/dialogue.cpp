@@ -8,6 +8,7 @@
 
 #include "app/core/dialogue/command_words.h"
 #include "app/core/dialogue/typed_sentences.h"
+#include "app/core/dialogue/words.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
@@ -135,11 +136,7 @@ bool Dialogue::typing() const { return is_open() && std::holds_alternative<TextS
 std::string Dialogue::item_words(const ListSpec& list) const {
     const ListItem& item = list.items[list.at];
     // If one part ends and the next begins with a digit, a semicolon separates them: "Room 3; 12 steps, 4 of 28".
-    const auto ends_in_digit = [](const std::string& text) {
-        return !text.empty() && text.back() >= '0' && text.back() <= '9';
-    };
-    const std::string words =
-        item.value.empty() ? item.name : item.name + (ends_in_digit(item.name) ? "; " : ", ") + item.value;
+    const std::string words = joined(item.name, item.value);
     const bool digit = ends_in_digit(words);
     return phrase(
         "dialogue.item",

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMostLines = 300;  // lines of a table that is announced as a whole
 constexpr std::array<const char*, kPlaceOrders> kOrders{"places.by_distance", "places.by_name", "places.by_room",
                                                         "places.by_kind"};
-constexpr std::array kKinds{"places.room", "places.door",  "places.landmark",
+constexpr std::array kKindWords{"places.room", "places.door",  "places.landmark",
                             "places.clue", "places.thing", "places.mark"};
 
 PlaceKind kind_of(const SessionContext& context, const Goal& goal) {
@@ -31,7 +31,7 @@ PlaceKind kind_of(const SessionContext& context, const Goal& goal) {
 }
 
 std::string words_of(const SessionContext& context, const PlaceRow& row) {
-    const std::string kind = phrase(kKinds[static_cast<std::size_t>(row.kind)]);
+    const std::string kind = phrase(kKindWords[static_cast<std::size_t>(row.kind)]);
     return joined(joined(kind, row.room), distance_words(row.far_m, distances(context)));
 }
 
