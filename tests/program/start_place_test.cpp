@@ -58,7 +58,11 @@ TEST(StartPlace, links_name_worlds_from_their_own_folder_and_faults_come_in_one_
          {"place = \"Kitchen\"\n", "world = 3\n", "world = \"\"\n", "world = \"house\"\nplace = 1\n"}) {
         const ProgramRun run = started({folder.write("bad.handrail", text).string()});
         EXPECT_EQ(run.exit_status, 1) << text;
-        EXPECT_EQ(run.err, "bad.handrail: A link needs a text world, and may have a text place.\n") << text;
+        EXPECT_EQ(
+            run.err,
+            "bad.handrail: A link needs the name of a world, such as world = \"house\", and may have a place, such as "
+            "place = \"Kitchen\".\n")
+            << text;
     }
     const ProgramRun torn = started({folder.write("torn.handrail", "world = \"hou").string()});
     EXPECT_EQ(torn.exit_status, 1);
