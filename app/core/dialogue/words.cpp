@@ -129,13 +129,11 @@ std::string found_words(std::string_view name) {
     return phrase("words.found", {{"name", name}, {"vowel", vowel ? "yes" : "no"}});
 }
 
-bool ends_in_digit(std::string_view text) {
-    return !text.empty() && text.back() >= '0' && text.back() <= '9';
-}
+bool ends_in_digit(std::string_view text) { return !text.empty() && text.back() >= '0' && text.back() <= '9'; }
 
 std::string joined(std::string_view one, std::string_view other) {
     if (one.empty() || other.empty()) return std::string(one.empty() ? other : one);
-    return phrase("words.joined", {{"one", one}, {"digit", ends_in_digit(one) ? "yes" : "no"}, {"other", other}});
+    return phrase(ends_in_digit(one) ? "words.joined_after_digit" : "words.joined", {{"one", one}, {"other", other}});
 }
 
 std::string sentence_case(std::string text) {

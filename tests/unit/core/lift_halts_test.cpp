@@ -6,6 +6,7 @@
 #include "tests/support/names.h"
 #include "tests/unit/core/app_session.h"
 #include "tests/unit/core/hall_with_lift.h"
+#include "worlds/base/human_measures.h"
 
 namespace handrail {
 namespace lift_halts_test {
@@ -34,7 +35,7 @@ TEST(LiftHalts, include_a_door_between_both_ends_which_the_lift_opens) {
     EXPECT_FALSE(play.lift_is_away(middle));
     EXPECT_GT(play.away(middle), 0.9) << "its door is open";
     EXPECT_NEAR(play.at(0).position_m.z - play.at_rest(0).position_m.z, 3.0, 1e-9);
-    run(10.0);
+    run(kLiftDoorWait_s + 5.0);
     EXPECT_EQ(play.away(middle), 0.0) << "and shuts by itself";
     play.call(middle);
     run(1.5);
@@ -42,10 +43,10 @@ TEST(LiftHalts, include_a_door_between_both_ends_which_the_lift_opens) {
     play.set_going(0);
     run(0.5);
     EXPECT_NEAR(play.at(0).position_m.z - play.at_rest(0).position_m.z, 3.0, 1e-9) << "not before its door is shut";
-    run(8.0);
+    run(kLiftDoorWait_s + 3.0);
     EXPECT_NEAR(play.at(0).position_m.z - play.at_rest(0).position_m.z, 6.0, 1e-9);
     play.set_going(0);
-    run(12.0);
+    run(kLiftDoorWait_s + 7.0);
     EXPECT_NEAR(play.at(0).position_m.z, play.at_rest(0).position_m.z, 1e-9) << "from the highest to the lowest";
 }
 
