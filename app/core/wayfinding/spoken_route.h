@@ -103,6 +103,7 @@ private:
     void announce(const std::string& words, cues::SpeechTopic topic, double now_s);
     bool stopped_towards(const Vec3& to_m) const;
     std::string leaf_on_route(const Vec3& to_m) const;
+    bool is_open_leaf(FeatureId by) const;
     // Notes that the walker has left the place of the last stop, if it is so.
     void leave_stop();
     std::optional<Vec3> place_aside(const Vec3& to_m) const;

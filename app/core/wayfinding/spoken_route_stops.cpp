@@ -13,6 +13,8 @@ namespace handrail::core {
 namespace {
 
 constexpr double kStoppedHere_m = 0.25;  // a walker farther from a stop has left it
+// If an open leaf has stopped the walker more often than this, shutting it does not help: it touches the walker.
+constexpr int kShutTries = 2;
 
 }  // namespace
 
@@ -53,7 +55,8 @@ std::optional<Vec3> SpokenRoute::place_aside(const Vec3& to_m) const {
     if (!stopped_towards(to_m)) return std::nullopt;
     const Feature* const met = context_.world.scene->find(stopped_->by);
     const std::shared_ptr<const DirectionsFloor> floor = ground_.floor();
-    if ((met && met->kind == FeatureKind::Door) || !floor) return std::nullopt;
+    const bool door = met && met->kind == FeatureKind::Door;
+    if ((door && !(is_open_leaf(stopped_->by) && stopped_->times > kShutTries)) || !floor) return std::nullopt;
     const navigation::BlindGround& ground = floor->ground;
     const navigation::BlindWalker here = ground.body_at(context_.avatar.feet_m());
     if (here.span == navigation::kNothing) return std::nullopt;
@@ -80,19 +83,22 @@ std::optional<Vec3> SpokenRoute::place_aside(const Vec3& to_m) const {
     return best;
 }
 
+bool SpokenRoute::is_open_leaf(FeatureId by) const {
+    const int mover = mover_of(context_.world, by);
+    const Feature* const met = context_.world.scene->find(by);
+    return mover >= 0 && met && met->kind == FeatureKind::Door &&
+           context_.world.scene->movers[static_cast<std::size_t>(mover)].by_hand &&
+           !shut(context_.world, static_cast<std::uint32_t>(mover));
+}
+
 // Returns the door whose leaf blocks the straight line to `to_m`, or whose leaf has just stopped the walker here. A
 // leaf that meets only a shoulder also blocks, even if the plan passes that leaf. The text is empty if there is no such
-// leaf, or if the leaf has stopped the walker so often that it cannot be the only cause.
+// leaf, or if shutting it has not helped.
 std::string SpokenRoute::leaf_on_route(const Vec3& to_m) const {
-    constexpr int kMostTimes = 4;
+    if (stopped_towards(to_m) && stopped_->times > kShutTries) return {};
     std::string leaf = leaf_name(context_, leaf_ahead(context_, std::array{context_.avatar.feet_m(), to_m}));
-    if (!leaf.empty() || !stopped_towards(to_m) || stopped_->times > kMostTimes) return leaf;
-    const int mover = mover_of(context_.world, stopped_->by);
-    const Feature* const met = context_.world.scene->find(stopped_->by);
-    const bool open = mover >= 0 && met && met->kind == FeatureKind::Door &&
-                      context_.world.scene->movers[static_cast<std::size_t>(mover)].by_hand &&
-                      !shut(context_.world, static_cast<std::uint32_t>(mover));
-    return leaf_name(context_, open ? stopped_->by : kNoFeature);
+    if (!leaf.empty() || !stopped_towards(to_m)) return leaf;
+    return leaf_name(context_, is_open_leaf(stopped_->by) ? stopped_->by : kNoFeature);
 }
 
 }  // namespace handrail::core
