@@ -11,6 +11,7 @@ namespace start_place_test {
 using testing::HasSubstr;
 using testing::Not;
 
+// `exits` waits until the rooms are known, so that `where` can name the room.
 ProgramRun started(std::vector<std::string> arguments, const std::string& input = "quit\nquit\n",
                    ProgramCall call = {}) {
     call.program = built_program("handrail");
@@ -21,7 +22,7 @@ ProgramRun started(std::vector<std::string> arguments, const std::string& input 
 }
 
 TEST(StartPlace, by_name_is_a_room_and_the_base_stays_where_it_was) {
-    const ProgramRun run = started({"house", "--at", "the kitchen"}, "where\nhome\nwhere\nquit\nquit\n");
+    const ProgramRun run = started({"house", "--at", "the kitchen"}, "exits\nwhere\nhome\nwhere\nquit\nquit\n");
     EXPECT_EQ(run.exit_status, 0) << run.err;
     const std::size_t room = run.out.find("Kitchen, facing"), home = run.out.find("facing", room + 20);
     ASSERT_NE(room, std::string::npos) << run.out;
@@ -30,7 +31,7 @@ TEST(StartPlace, by_name_is_a_room_and_the_base_stays_where_it_was) {
 }
 
 TEST(StartPlace, may_be_a_thing_by_the_beginning_of_its_name) {
-    const ProgramRun run = started({"house", "--at", "bath"}, "where\nquit\nquit\n");
+    const ProgramRun run = started({"house", "--at", "bath"}, "exits\nwhere\nquit\nquit\n");
     EXPECT_THAT(run.out, HasSubstr("Bathroom, facing")) << run.out;
 }
 
@@ -45,15 +46,15 @@ TEST(StartPlace, that_no_world_has_is_reported_with_similar_names_and_status_2) 
 TEST(StartPlace, is_found_in_a_link_and_the_command_line_overrides_it) {
     const TemporaryFolder folder;
     const auto link = folder.write("there.handrail", "world = \"house\"\nplace = \"Kitchen\"\n");
-    EXPECT_THAT(started({link.string()}, "where\nquit\nquit\n").out, HasSubstr("Kitchen, facing"));
-    EXPECT_THAT(started({link.string(), "--at", "Bathroom"}, "where\nquit\nquit\n").out, HasSubstr("Bathroom, facing"));
+    EXPECT_THAT(started({link.string()}, "exits\nwhere\nquit\nquit\n").out, HasSubstr("Kitchen, facing"));
+    EXPECT_THAT(started({link.string(), "--at", "Bathroom"}, "exits\nwhere\nquit\nquit\n").out, HasSubstr("Bathroom, facing"));
 }
 
 TEST(StartPlace, links_name_worlds_from_their_own_folder_and_faults_come_in_one_sentence) {
     const TemporaryFolder folder;
     std::filesystem::copy_file(bundled_world("house.map"), folder.path() / "own.map");
     const auto link = folder.write("own.handrail", "world = \"own.map\"\nplace = \"Bathroom\"\n");
-    EXPECT_THAT(started({link.string()}, "where\nquit\nquit\n").out, HasSubstr("Bathroom, facing"));
+    EXPECT_THAT(started({link.string()}, "exits\nwhere\nquit\nquit\n").out, HasSubstr("Bathroom, facing"));
     for (const char* text :
          {"place = \"Kitchen\"\n", "world = 3\n", "world = \"\"\n", "world = \"house\"\nplace = 1\n"}) {
         const ProgramRun run = started({folder.write("bad.handrail", text).string()});
