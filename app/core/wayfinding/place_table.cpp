@@ -9,6 +9,7 @@
 #include "app/core/wayfinding/find_list.h"
 #include "app/core/whereabouts/room_things.h"
 #include "app/core/world/body_heights.h"
+#include "app/core/world/surroundings.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/navigation/foot_distances.h"
