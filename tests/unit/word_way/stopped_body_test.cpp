@@ -99,24 +99,5 @@ TEST_F(StoppedBody, gets_directions_that_begin_with_a_step_aside) {
     }
 }
 
-// A leaf that touches a walker while it shuts opens again. So the walker must leave its swing.
-TEST_F(StoppedBody, is_led_aside_from_an_open_leaf_that_cannot_be_shut) {
-    const FeatureId closet = named(*p.app.scene(), "Closet");
-    ASSERT_TRUE(closet);
-    p.app.apply(Placed{{5.0, 2.4, 0.0}, 0.0}, p.now);
-    p.request(Command::Use);
-    p.run(3.0);
-    ASSERT_TRUE(p.heard("Closet opens"));
-    p.app.apply(Placed{{3.8, 2.6, 0.0}, 0.5 * kPi}, p.now);
-    p.request(Command::Routes);
-    p.line("Hall");
-    p.run(0.1);
-    for (int stop = 1; stop <= 3; ++stop) {
-        const std::string words = after_stop(closet);
-        EXPECT_EQ(words.find("Shut it.") != std::string::npos, stop <= 2) << words;
-        EXPECT_EQ(words.starts_with("To Hall: 1 step"), stop == 3) << words;
-    }
-}
-
 }  // namespace stopped_body_test
 }  // namespace handrail
