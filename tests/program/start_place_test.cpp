@@ -24,8 +24,9 @@ ProgramRun started(std::vector<std::string> arguments, const std::string& input 
 TEST(StartPlace, by_name_is_a_room_and_the_base_stays_where_it_was) {
     const ProgramRun run = started({"house", "--at", "the kitchen"}, "exits\nwhere\nhome\nwhere\nquit\nquit\n");
     EXPECT_EQ(run.exit_status, 0) << run.err;
-    const std::size_t room = run.out.find("Kitchen, facing"), home = run.out.find("facing", room + 20);
+    const std::size_t room = run.out.find("Kitchen, facing"), home = run.out.find("Base. Facing", room);
     ASSERT_NE(room, std::string::npos) << run.out;
+    ASSERT_NE(home, std::string::npos) << run.out;
     EXPECT_THAT(run.out.substr(home), HasSubstr("at the base")) << run.out;
     EXPECT_THAT(run.out.substr(0, room), Not(HasSubstr("at the base"))) << run.out;
 }
