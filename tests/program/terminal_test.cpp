@@ -71,8 +71,8 @@ TEST(Terminal, keys_act_at_once_and_commands_are_typed_after_a_colon) {
                  "ading\r",
                  "Facing north"))
         << "a word";
-    EXPECT_TRUE(at.after("\t", "1 of 12")) << "the menu";
-    EXPECT_TRUE(at.after("\x1b[B", "2 of 12")) << "down the list";
+    EXPECT_TRUE(at.after("\t", "1 of 13")) << "the menu";
+    EXPECT_TRUE(at.after("\x1b[B", "2 of 13")) << "down the list";
     at.job->send(SIGTERM);
     EXPECT_EQ(at.job->ends(), 0);
     EXPECT_TRUE(at.job->as_before());
