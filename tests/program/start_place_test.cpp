@@ -48,7 +48,8 @@ TEST(StartPlace, is_found_in_a_link_and_the_command_line_overrides_it) {
     const TemporaryFolder folder;
     const auto link = folder.write("there.handrail", "world = \"house\"\nplace = \"Kitchen\"\n");
     EXPECT_THAT(started({link.string()}, "exits\nwhere\nquit\nquit\n").out, HasSubstr("Kitchen, facing"));
-    EXPECT_THAT(started({link.string(), "--at", "Bathroom"}, "exits\nwhere\nquit\nquit\n").out, HasSubstr("Bathroom, facing"));
+    EXPECT_THAT(started({link.string(), "--at", "Bathroom"}, "exits\nwhere\nquit\nquit\n").out,
+                HasSubstr("Bathroom, facing"));
 }
 
 TEST(StartPlace, links_name_worlds_from_their_own_folder_and_faults_come_in_one_sentence) {

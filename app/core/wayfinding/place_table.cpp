@@ -21,7 +21,7 @@ constexpr std::size_t kMostLines = 300;  // lines of a table that is announced a
 constexpr std::array<const char*, kPlaceOrders> kOrders{"places.by_distance", "places.by_name", "places.by_room",
                                                         "places.by_kind"};
 constexpr std::array kKindWords{"places.room", "places.door",  "places.landmark",
-                            "places.clue", "places.thing", "places.mark"};
+                                "places.clue", "places.thing", "places.mark"};
 
 PlaceKind kind_of(const SessionContext& context, const Goal& goal) {
     const Feature* feature = context.world.scene->find(goal.feature);
