@@ -136,7 +136,8 @@ bool Dialogue::typing() const { return is_open() && std::holds_alternative<TextS
 std::string Dialogue::item_words(const ListSpec& list) const {
     const ListItem& item = list.items[list.at];
     // If one part ends and the next begins with a digit, a semicolon separates them: "Room 3; 12 steps, 4 of 28".
-    const std::string words = joined(item.name, item.value);
+    const std::string words =
+        item.value.empty() ? item.name : item.name + (ends_in_digit(item.name) ? "; " : ", ") + item.value;
     const bool digit = ends_in_digit(words);
     return phrase(
         "dialogue.item",

@@ -10,6 +10,8 @@
 namespace handrail::core {
 namespace {
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 constexpr double kRoundedTo_deg = 5.0;
 constexpr std::array kSides{"direction.ahead", "direction.right", "direction.behind", "direction.left"};
 
@@ -129,11 +131,12 @@ std::string found_words(std::string_view name) {
     return phrase("words.found", {{"name", name}, {"vowel", vowel ? "yes" : "no"}});
 }
 
-bool ends_in_digit(std::string_view text) { return !text.empty() && text.back() >= '0' && text.back() <= '9'; }
+bool ends_in_digit(std::string_view text) { return !text.empty() && is_digit(text.back()); }
 
 std::string joined(std::string_view one, std::string_view other) {
     if (one.empty() || other.empty()) return std::string(one.empty() ? other : one);
-    return phrase(ends_in_digit(one) ? "words.joined_after_digit" : "words.joined", {{"one", one}, {"other", other}});
+    const bool numbers_meet = ends_in_digit(one) && is_digit(other.front());
+    return phrase(numbers_meet ? "words.joined_numbers" : "words.joined", {{"one", one}, {"other", other}});
 }
 
 std::string sentence_case(std::string text) {

@@ -51,8 +51,8 @@ std::string minutes_words(double seconds);
 std::string found_words(std::string_view name);
 // Returns true if the last character is an ASCII digit.
 bool ends_in_digit(std::string_view text);
-// Joins two labels with a comma: "north wall, plaster". After a digit it uses a semicolon, so that a voice does not
-// read two numbers as one: "Room 5; 7 steps". If one of the labels is empty, returns the other one.
+// Joins two labels with a comma: "north wall, plaster". Between two numbers it uses a semicolon, so that a voice does
+// not read them as one: "Room 5; 7 steps". If one of the labels is empty, returns the other one.
 std::string joined(std::string_view one, std::string_view other);
 // Changes the first letter of `text` to upper case, for the start of a sentence.
 std::string sentence_case(std::string text);
