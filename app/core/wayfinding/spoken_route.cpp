@@ -132,7 +132,7 @@ std::string SpokenRoute::length_words(const std::string& through) const {
 }
 
 // Returns what the summary of the followed route counts. The turns and doors are those of the legs once all legs are
-// known, and before that those of the planned path. A route of which later ticks plan more is not counted.
+// known, and before that those of the planned path. A route that is still being planned is not counted.
 RouteCounts SpokenRoute::counts() const {
     if (unfinished_) return {};
     RouteCounts counts = counts_of(follower_.route(), nodes_to(context_, follower_.route(), name_));

@@ -20,7 +20,7 @@ constexpr int kShutTries = 2;
 
 void SpokenRoute::note_stop(FeatureId by) {
     directions_.note_stop(by);
-    // The places aside are remembered for stops near the last one, because they did not help there.
+    // Keeps the places aside that were announced after stops near here, because they did not help.
     constexpr double kNear_m = 1.0;
     const Vec3& feet_m = context_.avatar.feet_m();
     const int times = stopped_ && stopped_->by == by ? stopped_->times + 1 : 1;

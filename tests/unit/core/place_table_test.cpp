@@ -4,24 +4,16 @@
 #include <algorithm>
 
 #include "tests/support/names.h"
-#include "tests/unit/core/app_session.h"
+#include "tests/unit/core/in_the_house.h"
 
 namespace handrail {
 namespace place_table_test {
 
-using test::AppSession;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-struct InTheHouse : AppSession {
-    InTheHouse() {
-        app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
-        run(0.1);
-        request(Command::Exits);
-        run(0.1);
-        said.clear();
-    }
+struct PlacesOfTheHouse : test::InTheHouse {
     std::vector<std::string> table(const std::string& line_typed) {
         said.clear();
         line(line_typed);
@@ -38,7 +30,7 @@ std::string field(const std::string& line, int which) {
 }
 
 TEST(PlaceTable, has_one_line_for_each_place_in_the_order_that_is_typed) {
-    InTheHouse s;
+    PlacesOfTheHouse s;
     const std::vector<std::string> by_name = s.table("places by name");
     ASSERT_GT(by_name.size(), 30U);
     EXPECT_THAT(by_name, Contains(StartsWith("Sofa: landmark, Living room, ")));
@@ -67,7 +59,7 @@ TEST(PlaceTable, has_one_line_for_each_place_in_the_order_that_is_typed) {
 }
 
 TEST(PlaceTable, is_a_list_from_which_a_room_or_a_thing_is_chosen) {
-    InTheHouse s;
+    PlacesOfTheHouse s;
     s.request(Command::Places);
     ASSERT_TRUE(s.app.dialogue().is_open());
     EXPECT_THAT(s.line("kitchen"), StartsWith("To Kitchen. "));

@@ -2,26 +2,18 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/names.h"
-#include "tests/unit/core/app_session.h"
+#include "tests/unit/core/in_the_house.h"
 
 namespace handrail {
 namespace route_leaps_test {
 
-using test::AppSession;
 using ::testing::AllOf;
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-struct InTheHouse : AppSession {
-    InTheHouse() {
-        app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
-        run(0.1);
-        request(Command::Exits);
-        run(0.1);
-        said.clear();
-    }
+struct RoutesOfTheHouse : test::InTheHouse {
     std::string room() {
         const std::string where = request(Command::WhereAmI);
         return where.substr(0, where.find(','));
@@ -29,14 +21,14 @@ struct InTheHouse : AppSession {
 };
 
 TEST(RouteSummary, counts_turns_doors_and_storeys_in_the_sentence_of_the_length) {
-    InTheHouse s;
+    RoutesOfTheHouse s;
     s.line("route bedroom");
     s.run(0.2);
     EXPECT_THAT(s.news(), ContainsRegex("About [0-9]+ steps in all: [^.]*[0-9]+ turns, [^.]*one storey up[.] "));
 }
 
 TEST(RouteSummary, of_a_route_on_one_storey_counts_doors_and_no_storeys) {
-    InTheHouse s;
+    RoutesOfTheHouse s;
     s.line("route kitchen");
     s.run(0.2);
     const std::string said = s.news();
@@ -45,7 +37,7 @@ TEST(RouteSummary, of_a_route_on_one_storey_counts_doors_and_no_storeys) {
 }
 
 TEST(LeapsAlongARoute, lead_leg_by_leg_to_the_goal_and_give_the_next_leg) {
-    InTheHouse s;
+    RoutesOfTheHouse s;
     s.line("route kitchen");
     s.run(0.2);
     std::string before = s.request(Command::RepeatLeg);
@@ -64,7 +56,7 @@ TEST(LeapsAlongARoute, lead_leg_by_leg_to_the_goal_and_give_the_next_leg) {
 }
 
 TEST(LeapsAlongARoute, are_taken_back_one_by_one_and_the_route_goes_on_from_there) {
-    InTheHouse s;
+    RoutesOfTheHouse s;
     s.line("route bedroom");
     s.run(0.2);
     const Vec3 begin_m = s.app.feet_m();
@@ -84,7 +76,7 @@ TEST(LeapsAlongARoute, are_taken_back_one_by_one_and_the_route_goes_on_from_ther
 }
 
 TEST(LeapsAlongARoute, are_leaps_to_things_as_before_if_no_route_is_followed) {
-    InTheHouse s;
+    RoutesOfTheHouse s;
     EXPECT_THAT(s.request(Command::LeapNext), StartsWith("Now at "));
 }
 
