@@ -26,18 +26,9 @@ constexpr double kNearThing_m = 0.1;
 // If a door shuts within this distance of the walker, the person may be about to pass it, so its announcement is a
 // warning.
 constexpr double kNextToOne_m = 3.0;
-// When a walker on the threshold of a lift moves inwards: length of each step, and of all steps together.
-constexpr double kInwards_m = 0.05, kMostInwards_m = 0.6;
 constexpr double kCeiling = -0.7;  // a surface is overhead if the z component of its normal is smaller than this
 
 Aabb box_of(const Scene& scene, FeatureId feature) { return scene.features[feature.value].bounds_m; }
-
-// Returns true if two boxes overlap. Boxes that only touch do not overlap, as in clip.h: a walker that stands next to a
-// lift, level with its floor, does not block it.
-bool overlap(const Aabb& a, const Aabb& b) {
-    return a.min_m.x < b.max_m.x && b.min_m.x < a.max_m.x && a.min_m.y < b.max_m.y && b.min_m.y < a.max_m.y &&
-           a.min_m.z < b.max_m.z && b.min_m.z < a.max_m.z;
-}
 
 Aabb walker_box(const Vec3& feet_m, const WalkerShape& body) {
     Aabb box;
@@ -54,7 +45,7 @@ Aabb grown(Aabb box, double by_m) {
 
 // Returns how a walker stands on `thing`. If the walker does not stand on it, returns Riding::Not.
 Riding rides(const PlacedModel& thing, const Placement& at, const Vec3& feet_m, const WalkerShape& body) {
-    if (!overlap(grown(placed_bounds(thing.model->bounds_m, at), kNearThing_m), walker_box(feet_m, body)))
+    if (!boxes_meet(grown(placed_bounds(thing.model->bounds_m, at), kNearThing_m), walker_box(feet_m, body)))
         return Riding::Not;
     return riding(thing.model, at, feet_m, body);
 }
@@ -65,7 +56,8 @@ Riding rides(const PlacedModel& thing, const Placement& at, const Vec3& feet_m, 
 bool passes_walker(const Feature& feature, const PlacedModel& leaf, const std::optional<Placement>& comes_to_rest,
                    const Vec3& feet_m, const WalkerShape& body) {
     if (feature.kind != FeatureKind::Door) return false;
-    return !comes_to_rest || !overlap(placed_bounds(leaf.model->bounds_m, *comes_to_rest), walker_box(feet_m, body)) ||
+    return !comes_to_rest ||
+           !boxes_meet(placed_bounds(leaf.model->bounds_m, *comes_to_rest), walker_box(feet_m, body)) ||
            !meets_walker(leaf.model, *comes_to_rest, feet_m, body);
 }
 
@@ -305,6 +297,11 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
     const Vec3 way = carried(avatar_.feet_m(), from, to) - avatar_.feet_m();
     const bool goes_along = ride == Riding::ByMiddle || (ride == Riding::ByRim && way.z > 0.0);
     Vec3 feet = avatar_.feet_m();
+    const auto place_walker = [&] {
+        WalkerMotion stood = avatar_.walker->state();
+        stood.feet_m = feet;
+        avatar_.walker->resume(stood);
+    };
     if (goes_along) {
         const auto index = static_cast<std::int32_t>(thing(mover));
         if (way.z < 0.0) {
@@ -313,40 +310,46 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
             const Vec3 onto = onto_thing(placed_bounds(own.model->bounds_m, from), feet, body.radius_m);
             feet = world_.solids->trace(feet, feet + onto, body, false, index).end_m;
         }
-        TraceHit hit = world_.solids->trace(feet, feet + way, body, false, index);
-        const auto meets = [&] { return hit.hit && hit.normal.z < kCeiling; };
-        // A walker on the threshold of a lift would hit the lintel, so the walker steps towards the middle of the
-        // cabin.
-        const Vec3 middle = placed_bounds(own.model->bounds_m, from).centre_m();
-        const Vec3 inwards{middle.x - feet.x, middle.y - feet.y, 0.0};
-        if (const double far_m = glm::length(inwards); meets() && !door && far_m > 0.0)
-            for (double by_m = kInwards_m; by_m < std::min(far_m, kMostInwards_m) && meets(); by_m += kInwards_m) {
-                const Vec3 in = world_.solids->trace(feet, feet + inwards * (by_m / far_m), body, false, index).end_m;
-                hit = world_.solids->trace(in, in + way, body, false, index);
-            }
-        if (meets()) return Meeting::Body;
-        feet = hit.end_m;
+        // A walker on the threshold of a lift would hit the lintel, and steps in.
+        const Vec3 stands = feet;
+        const auto goes = [&](const Vec3& to_m) {
+            const Vec3 in = world_.solids->trace(stands, to_m, body, false, index).end_m;
+            const TraceHit hit = world_.solids->trace(in, in + way, body, false, index);
+            feet = hit.end_m;
+            return !hit.hit || hit.normal.z >= kCeiling;
+        };
+        if (!(door ? goes(feet) : step_in(feet, placed_bounds(own.model->bounds_m, from), goes))) return Meeting::Body;
     } else if (!passes_walker(world_.scene->features[own.feature.value], own,
                               goes_shut ? std::optional(world_.movers.at_goal(mover)) : std::nullopt, feet, body) &&
-               overlap(there, walker_box(feet, body)) && meets_walker(own.model, to, feet, body)) {
+               boxes_meet(there, walker_box(feet, body)) && meets_walker(own.model, to, feet, body)) {
         // A thing that already overlaps the walker may move away from the walker. A thing that shuts may never move
-        // against a walker.
-        if (goes_shut || !meets_walker(own.model, from, feet, body)) return Meeting::Body;
+        // against a walker, but who stands in the doorway of a lift that is about to go steps in.
+        const bool lift_leaves = door && goes_shut && world_.movers.lift_is_away(mover);
+        const std::uint32_t lift = world_.scene->movers[mover].lift;
+        const auto clear = [&](const Vec3& to_m) {
+            feet = world_.solids->trace(avatar_.feet_m(), to_m, body).end_m;
+            return !meets_walker(own.model, to, feet, body);
+        };
+        const auto in_lift = [&](const PlacedModel& cabin) {
+            return cabin.feature == avatar_.ground &&
+                   step_in(feet, placed_bounds(cabin.model->bounds_m, world_.movers.at(lift)), clear);
+        };
+        if (lift_leaves && world_.thing_of_mover[lift] >= 0 && in_lift(world_.scene->placed[thing(lift)]))
+            place_walker();
+        else if (goes_shut || !meets_walker(own.model, from, avatar_.feet_m(), body)) return Meeting::Body;
     }
 
     for (std::uint32_t other = 0; other < world_.movers.size(); ++other) {
         if (other == mover || world_.thing_of_mover[other] < 0 || let_through(*world_.scene, mover, other)) continue;
         const PlacedModel& its = world_.scene->placed[thing(other)];
         const Placement at = world_.movers.at(other);
-        if (!overlap(there, placed_bounds(its.model->bounds_m, at)) || !things_meet(*own.model, to, *its.model, at))
+        if (!boxes_meet(there, placed_bounds(its.model->bounds_m, at)) || !things_meet(*own.model, to, *its.model, at))
             continue;
         if (!things_meet(*own.model, from, *its.model, at)) return Meeting::Mover;
     }
 
     if (goes_along) {
-        WalkerMotion stood = avatar_.walker->state();
-        stood.feet_m = feet;
-        avatar_.walker->resume(stood);
+        place_walker();
         if (!(from.rotation == to.rotation)) {
             const Vec3 ahead =
                 PlacedFrame(to).turned(PlacedFrame(from).turned_back(forward_of_heading(avatar_.heading_rad)));
@@ -365,7 +368,7 @@ void Doors::tick(double now_s, double dt_s) {
     for (std::uint32_t i = 0; i < world_.movers.size(); ++i) {
         if (world_.scene->movers[i].approach_m.empty() || world_.thing_of_mover[i] < 0) continue;
         const auto thing = static_cast<std::size_t>(world_.thing_of_mover[i]);
-        if (overlap(world_.scene->movers[i].approach_m, stand)) world_.movers.come_near(i);
+        if (boxes_meet(world_.scene->movers[i].approach_m, stand)) world_.movers.come_near(i);
         else if (rides(world_.scene->placed[thing], world_.things.at(thing), avatar_.feet_m(),
                        avatar_.walker->shape()) == Riding::Not)
             world_.movers.leave_alone(i);

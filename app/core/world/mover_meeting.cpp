@@ -85,6 +85,11 @@ bool things_meet(const Scene& a, const Placement& a_at, const Scene& b, const Pl
     return false;
 }
 
+bool boxes_meet(const Aabb& a, const Aabb& b) {
+    return a.min_m.x < b.max_m.x && b.min_m.x < a.max_m.x && a.min_m.y < b.max_m.y && b.min_m.y < a.max_m.y &&
+           a.min_m.z < b.max_m.z && b.min_m.z < a.max_m.z;
+}
+
 Riding riding(const std::shared_ptr<const Scene>& model, const Placement& at, const Vec3& feet_m,
               const WalkerShape& body) {
     const WalkerWorld thing = alone(model, at);
@@ -110,6 +115,16 @@ Vec3 onto_thing(const Aabb& thing_m, const Vec3& feet_m, double radius_m) {
         if (low <= high) by[axis] = std::clamp(feet_m[axis], low, high) - feet_m[axis];
     }
     return by;
+}
+
+bool step_in(Vec3 feet_m, const Aabb& lift_m, const std::function<bool(const Vec3& to_m)>& fits) {
+    constexpr double kStep_m = 0.05, kMost_m = 0.6;
+    if (fits(feet_m)) return true;
+    const Vec3 middle_m = lift_m.centre_m(), inwards{middle_m.x - feet_m.x, middle_m.y - feet_m.y, 0.0};
+    const double far_m = glm::length(inwards);
+    for (double by_m = kStep_m; by_m < std::min(far_m, kMost_m); by_m += kStep_m)
+        if (fits(feet_m + inwards * (by_m / far_m))) return true;
+    return false;
 }
 
 }  // namespace handrail::core

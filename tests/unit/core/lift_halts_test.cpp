@@ -70,6 +70,24 @@ TEST(LiftHalts, lead_to_the_announced_storey_which_the_key_can_change) {
     EXPECT_NEAR(ride.app.feet_m().z, 0.0, 0.02);
 }
 
+// In the doorway, the door of the lift would touch the walker and open again and again. So the walker steps in.
+TEST(LiftHalts, depart_with_a_walker_who_stands_in_the_doorway) {
+    for (const double in_m : {0.1, 0.15, 0.2, 0.25}) {
+        SCOPED_TRACE(in_m);
+        Ride ride(test::hall_with_lift());
+        ride.walk(4.0);
+        ride.tap(Command::Use);
+        ride.run(1.5);
+        ride.app.apply(Placed{{3.0, 6.0 + in_m, 0.0}, 0.0}, ride.now);
+        ride.run(0.1);
+        ride.tap(Command::Use);
+        ride.run(12.0);
+        if (!ride.heard("Lift goes to Level 1")) continue;  // The walker still stands on the floor before the lift.
+        EXPECT_FALSE(ride.heard("touched you")) << ride.news();
+        EXPECT_NEAR(ride.app.feet_m().z, 3.0, 0.02) << ride.news();
+    }
+}
+
 // Under the lintel, the lift would push the walker's head into it. So the walker is moved farther in, and the lift does
 // not turn back again and again.
 TEST(LiftHalts, allow_boarding_from_the_threshold) {
