@@ -627,4 +627,23 @@ DirectionsGoal goal_in_room(const WalkSpace& space, std::span<const std::uint32_
     return std::any_of(inside.begin(), inside.end(), [](std::uint8_t in) { return in != 0; }) ? inside : all;
 }
 
+DirectionsGoal goal_at_place(const WalkSpace& space, const Vec3& place_m, double within_m) {
+    DirectionsGoal goal(space.spans.size(), 0);
+    const std::uint32_t at = space.at(place_m);
+    if (at == kNothing) return goal;
+    // The spans that a walk of few cells reaches from the place. So floors above and below, and places behind a wall,
+    // are not examined.
+    std::vector<std::uint32_t> reached{at};
+    goal[at] = 1;
+    for (std::size_t i = 0; i < reached.size(); ++i)
+        for (const std::uint32_t n : space.spans[reached[i]].next) {
+            if (n == kNothing || goal[n]) continue;
+            const Vec3 to_m = space.place_m(n), off_m = to_m - place_m;
+            if (std::hypot(off_m.x, off_m.y) > within_m || !space.straight(to_m, place_m)) continue;
+            goal[n] = 1;
+            reached.push_back(n);
+        }
+    return goal;
+}
+
 }  // namespace handrail::navigation

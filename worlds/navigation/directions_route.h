@@ -113,5 +113,8 @@ private:
 // such spans, returns all spans of the room.
 DirectionsGoal goal_in_room(const WalkSpace& space, std::span<const std::uint32_t> room_of_span, std::uint32_t room,
                             const StatedRoom* outline = nullptr);
+// Returns the spans at most `within_m` from a place, measured along the floor, from which a walker can go straight to
+// that place. Returns an empty goal if nobody can stand there.
+DirectionsGoal goal_at_place(const WalkSpace& space, const Vec3& place_m, double within_m);
 
 }  // namespace handrail::navigation

@@ -139,6 +139,10 @@ std::string joined(std::string_view one, std::string_view other) {
     return phrase(numbers_meet ? "words.joined_numbers" : "words.joined", {{"one", one}, {"other", other}});
 }
 
+std::string beside(const std::string& first, const std::string& then) {
+    return first.empty() || then.empty() ? first + then : first + " " + then;
+}
+
 std::string sentence_case(std::string text) {
     text = capitalised(text);
     return text;

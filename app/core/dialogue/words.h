@@ -54,6 +54,8 @@ bool ends_in_digit(std::string_view text);
 // Joins two labels with a comma: "north wall, plaster". Between two numbers it uses a semicolon, so that a voice does
 // not read them as one: "Room 5; 7 steps". If one of the labels is empty, returns the other one.
 std::string joined(std::string_view one, std::string_view other);
+// Joins two sentences with a space. If one of them is empty, returns the other one.
+std::string beside(const std::string& first, const std::string& then);
 // Changes the first letter of `text` to upper case, for the start of a sentence.
 std::string sentence_case(std::string text);
 

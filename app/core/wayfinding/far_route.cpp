@@ -1,5 +1,6 @@
 #include "app/core/wayfinding/far_route.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/core/context/context_words.h"
@@ -12,6 +13,12 @@ bool has_legs(const SessionContext& context, navigation::PassageKind kind, Featu
     return (kind == navigation::PassageKind::Door || kind == navigation::PassageKind::Opening ||
             kind == navigation::PassageKind::Stairs) &&
            lock_words(context, feature).empty();
+}
+
+bool has_legs(const SessionContext& context, const navigation::Route& route) {
+    return std::all_of(route.passages.begin(), route.passages.end(), [&](const navigation::RoutePassage& passage) {
+        return has_legs(context, passage.kind, passage.feature);
+    });
 }
 
 std::optional<FarRoute> far_route(const SessionContext& context, const Rooms& rooms, std::uint32_t room,

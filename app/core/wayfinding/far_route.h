@@ -36,5 +36,7 @@ navigation::Route with_straight_lines(FarRoute far);
 // Returns true if directions leg by leg can describe the passage: a door that does not wait for a button, an opening or
 // stairs.
 bool has_legs(const SessionContext& context, navigation::PassageKind kind, FeatureId feature);
+// Returns true if that holds for all passages of the route.
+bool has_legs(const SessionContext& context, const navigation::Route& route);
 
 }  // namespace handrail::core

@@ -26,11 +26,6 @@ constexpr double kNoRoute_m = 1e6;  // a distance larger than any distance on fo
 // At most this many routes are planned for a list; each plan costs some milliseconds.
 constexpr std::size_t kMostOnFoot = 16;
 
-// Joins two sentences. If one of them is empty, returns the other one.
-std::string beside(const std::string& first, const std::string& then) {
-    return first.empty() || then.empty() ? first + then : first + " " + then;
-}
-
 bool is_surface(FeatureKind kind) {
     return kind == FeatureKind::Wall || kind == FeatureKind::Floor || kind == FeatureKind::Ceiling ||
            kind == FeatureKind::Slope;
@@ -176,7 +171,7 @@ void Guide::go_along(const std::vector<Stop>& stops, bool by_hand, double now_s)
 void Guide::go_on(const std::string& first, double now_s) {
     const Stop& stop = plans_.stop();
     if (plans_.by_hand()) return lead_to(goal_of(context_, stop), first, now_s);
-    ear_.follow(plans_.on(context_.avatar.feet_m()), stop.name, first, now_s);
+    ear_.follow(plans_.on(context_.avatar.feet_m()), stop.name, first, now_s, RouteForm::Whole);
 }
 
 // Continues the saved route after its stop was reached. If the route continues, announces that after `words`, which
@@ -462,7 +457,7 @@ void Guide::lead_by_ear(const Goal& goal, const std::string& first, double now_s
         return context_.answer(beside(first, phrase("lead.follow_beacon", {{"goal", goal.name}, {"where", where}})),
                                now_s);
     }
-    ear_.follow(std::move(route), goal.name, first, now_s);
+    ear_.follow(std::move(route), goal.name, first, now_s, RouteForm::ByLegs);
 }
 
 // Sets lines from the hand along the route to the thing. If there is no route, or the person does not want to use it,

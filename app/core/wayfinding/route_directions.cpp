@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/core/context/context_words.h"
+#include "app/core/wayfinding/route_words.h"
 #include "app/core/world/leaf_reach.h"
 #include "app/core/world/questions.h"
 #include "worlds/base/language.h"
@@ -17,6 +18,7 @@ namespace {
 // permits.
 constexpr double kLeft_m = 3.5;
 constexpr double kLooked_m = 0.05;
+constexpr double kAtMiddle_m = 0.2;  // nearer than this to the middle of a room, the walker is in the room
 // Trial walks with errors decide whether a route is still valid from the present place. The share of those that arrive
 // must be at least the share when the route was planned, minus kFewer.
 constexpr int kTried = 24;
@@ -24,6 +26,14 @@ constexpr double kFewer = 0.25, kUnmoved_m = 0.1;
 // The planner examines this many places before its first legs are announced. In a house, all legs of a route need fewer
 // places.
 constexpr int kPlacesForFirst = 150;
+
+// Returns the spans where a route to `end` is over.
+navigation::DirectionsGoal goal_of(const DirectionsEnd& end, const DirectionsFloor& floor, const Scene& scene) {
+    const navigation::WalkSpace& space = floor.ground.space();
+    if (end.room == navigation::kNothing) return navigation::goal_at_place(space, end.place_m, kThere_m);
+    return navigation::goal_in_room(space, floor.room_of_span, end.room,
+                                    navigation::stated_room_at(scene, end.place_m));
+}
 
 double distance_to_stretch(const Vec3& at, const Vec3& a, const Vec3& b) {
     const Vec3 way = b - a;
@@ -37,9 +47,9 @@ double distance_to_stretch(const Vec3& at, const Vec3& a, const Vec3& b) {
 RouteDirections::RouteDirections(const SessionContext& context, Rooms& rooms, DirectionsGround& ground)
     : SessionPart(context), rooms_(rooms), ground_(ground) {}
 
-void RouteDirections::begin(std::uint32_t room, std::string goal) {
+void RouteDirections::begin(const DirectionsEnd& end, std::string goal) {
     stop();
-    room_ = room;
+    end_ = end;
     goal_ = std::move(goal);
     state_ = State::Planned;
     plan();
@@ -52,7 +62,7 @@ void RouteDirections::stop() {
     awaited_ = Awaited::Nothing;
     way_ = {};
     at_ = 0;
-    room_ = navigation::kNothing;
+    end_ = {};
     stopped_.reset();
     uses_ = kNoFeature;
 }
@@ -69,19 +79,16 @@ void RouteDirections::plan(bool in_parts) {
     planned.from_m = context_.avatar.feet_m();
     planned.notch = navigation::nearest_notch(context_.avatar.heading_goal_rad);
     planned.open = ground_.open_now(*floor);
-    planning_.begin([planned = std::move(planned), in_parts, room = room_,
-                     middle_m = rooms_.graph().rooms[room_].middle_m,
-                     scene = rooms_.file_scene()](const std::stop_token& stop) {
-        Planned made = planned;
-        if (!made.goal)
-            made.goal = std::make_shared<const navigation::DirectionsGoal>(
-                navigation::goal_in_room(made.floor->ground.space(), made.floor->room_of_span, room,
-                                         navigation::stated_room_at(*scene, middle_m)));
-        made.route =
-            made.floor->planner.plan(made.from_m, navigation::notch_heading_rad(made.notch), *made.goal, made.open, {},
-                                     stop, {.begun = {}, .places = in_parts ? kPlacesForFirst : 0});
-        return made;
-    });
+    planning_.begin(
+        [planned = std::move(planned), in_parts, end = end_, scene = rooms_.file_scene()](const std::stop_token& stop) {
+            Planned made = planned;
+            if (!made.goal)
+                made.goal = std::make_shared<const navigation::DirectionsGoal>(goal_of(end, *made.floor, *scene));
+            made.route =
+                made.floor->planner.plan(made.from_m, navigation::notch_heading_rad(made.notch), *made.goal, made.open,
+                                         {}, stop, {.begun = {}, .places = in_parts ? kPlacesForFirst : 0});
+            return made;
+        });
 }
 
 // Begins to plan the remaining legs while the person walks the first ones.
@@ -129,7 +136,10 @@ RouteDirections::News RouteDirections::tick() {
     if (glm::length(feet_m - looked_m_) < kLooked_m || !context_.avatar.walker->state().on_ground) return news;
     looked_m_ = feet_m;
     const navigation::BlindWalker body = way_.floor->ground.body_at(feet_m);
-    news.arrived = body.span != navigation::kNothing && (*way_.goal)[body.span] != 0 && in_outline(feet_m);
+    // In a room too narrow to stand inside, such as the end of a footway at stairs, its middle is the goal.
+    const bool at_middle = end_.room != navigation::kNothing && glm::length(feet_m - end_.place_m) < kAtMiddle_m;
+    news.arrived =
+        at_middle || (body.span != navigation::kNothing && (*way_.goal)[body.span] != 0 && in_outline(feet_m));
     if (news.arrived) return news;
     double off_m = kLeft_m + 1.0;
     Vec3 from_m = way_.from_m;
@@ -141,11 +151,11 @@ RouteDirections::News RouteDirections::tick() {
     return news;
 }
 
-// Returns true if the walker is inside the stated outline of the room. A cell of the goal may be as wide as a step, so
-// that half of the cell is outside the room.
+// Returns true if the walker is inside the stated outline of the room that is the end. A cell of the goal may be as
+// wide as a step, so that half of the cell is outside the room.
 bool RouteDirections::in_outline(const Vec3& feet_m) const {
-    const StatedRoom* const outline =
-        navigation::stated_room_at(*rooms_.file_scene(), rooms_.graph().rooms[room_].middle_m);
+    if (end_.room == navigation::kNothing) return true;
+    const StatedRoom* const outline = navigation::stated_room_at(*rooms_.file_scene(), end_.place_m);
     return !outline || handrail::holds(*outline, feet_m);
 }
 

@@ -1,7 +1,7 @@
-// Provides a route to a room that the person follows by spoken directions. A background task plans the route, the first
-// legs first. The class puts the route into words leg by leg from the person's place. It plans the route again if the
-// remaining legs no longer lead to the room. This class makes no announcements. Use it on the app thread only. Lengths
-// are in world metres.
+// Provides a route to a room or a place that the person follows by spoken directions. A background task plans the
+// route, the first legs first. The class puts the route into words leg by leg from the person's place. It plans the
+// route again if the remaining legs no longer lead to its end. This class makes no announcements. Use it on the app
+// thread only. Lengths are in world metres.
 #pragma once
 
 #include <memory>
@@ -15,13 +15,19 @@
 
 namespace handrail::core {
 
+// The end of a route: a room, or a place.
+struct DirectionsEnd {
+    std::uint32_t room = navigation::kNothing;  // kNothing: the end is the place
+    Vec3 place_m{0.0};                          // the middle of the room, or the place
+};
+
 class RouteDirections : SessionPart {
 public:
     RouteDirections(const SessionContext& context, Rooms& rooms, DirectionsGround& ground);
 
     // Begins a route from the walker's place, which replaces the previous route. `goal` is the name of the end of the
     // route.
-    void begin(std::uint32_t room, std::string goal);
+    void begin(const DirectionsEnd& end, std::string goal);
     void stop();
 
     // - None: there is no route.
@@ -110,7 +116,7 @@ private:
     Rooms& rooms_;
     DirectionsGround& ground_;
     State state_ = State::None;
-    std::uint32_t room_ = navigation::kNothing;
+    DirectionsEnd end_;
     std::string goal_;
     bool wanted_ = false;                 // true: a plan begins as soon as the floor is known
     Awaited awaited_ = Awaited::Nothing;  // which unknown legs the person has requested

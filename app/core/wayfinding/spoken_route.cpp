@@ -32,7 +32,7 @@ constexpr double kWorthTurningBack = 1.15;
 }  // namespace
 
 void SpokenRoute::follow_to(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s) {
-    follow(rooms_.navigation().plan(context_.avatar.feet_m(), goal_m), name, first, now_s);
+    follow(rooms_.navigation().plan(context_.avatar.feet_m(), goal_m), name, first, now_s, RouteForm::ByLegs);
 }
 
 void SpokenRoute::stop() {
@@ -50,20 +50,15 @@ void SpokenRoute::stop() {
 SpokenRoute::RoomRoute SpokenRoute::route_to(std::uint32_t room, const navigation::FootDistances& on_foot) const {
     const Vec3 from_m = context_.avatar.feet_m(),
                to_m = navigation::goal_in_room(rooms_.navigation(), rooms_.graph(), room, from_m);
-    const auto describable_by_legs = [&](const navigation::Route& way) {
-        return way.reaches && way.points_m.size() > 1 &&
-               std::all_of(way.passages.begin(), way.passages.end(), [&](const navigation::RoutePassage& passage) {
-                   return has_legs(context_, passage.kind, passage.feature);
-               });
-    };
     if (auto far = far_route(context_, rooms_, room, to_m, on_foot)) return {std::move(*far), true};
     navigation::Route route = rooms_.navigation().plan(from_m, to_m);
-    if (describable_by_legs(route)) return {{std::move(route)}, true};
+    if (route.reaches && has_legs(context_, route)) return {{std::move(route)}, true};
     // Directions leg by leg are more reliable than a lift, so stairs are preferred if the route over them is not much
     // longer.
     if (route.reaches) {
         navigation::Route foot = rooms_.navigation().plan(from_m, to_m, navigation::RoutePreference::OnFoot);
-        if (describable_by_legs(foot) && foot.length_m < kLongerOnFoot * route.length_m + kLongerOnFoot_m)
+        if (foot.reaches && has_legs(context_, foot) &&
+            foot.length_m < kLongerOnFoot * route.length_m + kLongerOnFoot_m)
             return {{std::move(foot)}, true};
     }
     return {{std::move(route)}, false};
@@ -92,25 +87,28 @@ navigation::Route SpokenRoute::to_room(std::uint32_t room, const navigation::Foo
 bool SpokenRoute::follow_to_room(std::uint32_t room, const std::string& first, double now_s) {
     const std::string name = sentence_case(rooms_.graph().rooms[room].name);
     RoomRoute way = route_to(room, {rooms_.graph(), rooms_.here(), context_.avatar.feet_m()});
-    const auto follow_whole = [&] {
-        if (!follow(way.far.ahead_m.empty() ? way.far.route : planned_to(room), name, first, now_s)) return false;
-        room_ = room;
-        return true;
-    };
-    if (!way.by_legs) return follow_whole();
     stop();
-    preference_ = navigation::RoutePreference::OnFoot;
-    directions_.begin(room, name);
-    if (!directions_.at_work()) return follow_whole();
-    room_ = room;
     to_nearest_ = false;
-    const navigation::Route route = with_straight_lines(way.far);
+    const bool reaches =
+        (way.by_legs && follow_by_legs({room, rooms_.graph().rooms[room].middle_m}, way.far, name, first, now_s)) ||
+        follow(way.far.ahead_m.empty() ? way.far.route : planned_to(room), name, first, now_s, RouteForm::Whole);
+    if (reaches) room_ = room;
+    return reaches;
+}
+
+// Announces a route with its first leg and follows it with directions leg by leg. `first` is announced before
+// everything else. Returns false and announces nothing if no directions can be planned.
+bool SpokenRoute::follow_by_legs(const DirectionsEnd& end, FarRoute far, const std::string& name,
+                                 const std::string& first, double now_s) {
+    directions_.begin(end, name);
+    if (!directions_.at_work()) return false;
+    preference_ = navigation::RoutePreference::OnFoot;
+    const navigation::Route route = with_straight_lines(far);
     follow_silently(route, name);
-    if (!way.far.ahead_m.empty()) unfinished_ = std::move(way.far);
+    if (!far.ahead_m.empty()) unfinished_ = std::move(far);
     // The first call may skip legs that are already over, so the length is announced without them.
     const std::string leg = directions_.leg();
-    std::string words = first.empty() ? first : first + ' ';
-    words += phrase("rooms.way", {{"goal", name}, {"route", overview(route)}});
+    std::string words = beside(first, phrase("rooms.way", {{"goal", name}, {"route", overview(route)}}));
     if (!leg.empty()) words += ' ' + leg;
     length_owed_ = directions_.state() == RouteDirections::State::Planned;
     context_.announce(cues::SpeechTopic::Summary, std::move(words), now_s);
@@ -177,32 +175,34 @@ void SpokenRoute::follow_silently(navigation::Route route, const std::string& go
     follower_.follow(std::move(route), std::move(nodes));
 }
 
-bool SpokenRoute::follow(navigation::Route route, const std::string& name, const std::string& first, double now_s) {
+bool SpokenRoute::follow(navigation::Route route, const std::string& name, const std::string& first, double now_s,
+                         RouteForm form) {
     stop();
-    std::string goal = name, words = first.empty() ? first : first + ' ';
+    std::string goal = name, words = first;
     if (route.points_m.empty()) {
-        context_.answer(words + phrase("rooms.no_way_no_floor"), now_s);
+        context_.answer(beside(words, phrase("rooms.no_way_no_floor")), now_s);
         return false;
     }
     if (!route.reaches) {
         const std::uint32_t end = navigation::room_at(rooms_.graph(), rooms_.space(), route.points_m.back());
         const std::string short_of = distance_words(route.short_of_m, distances(context_));
-        words += end == navigation::kNothing
-                     ? phrase("rooms.not_reached", {{"goal", name}, {"short_of", short_of}})
-                     : phrase("rooms.not_reached_in",
-                              {{"goal", name}, {"room", rooms_.graph().rooms[end].name}, {"short_of", short_of}});
+        const std::string room = end == navigation::kNothing ? std::string() : rooms_.graph().rooms[end].name;
+        words = beside(words, phrase(room.empty() ? "rooms.not_reached" : "rooms.not_reached_in",
+                                     {{"goal", name}, {"room", room}, {"short_of", short_of}}));
         if (route.points_m.size() < 2) {
             context_.answer(words, now_s);
             return false;
         }
-        words += ' ';
         goal = phrase("rooms.nearest_place_to", {{"goal", name}});
     }
-    const std::vector<std::string> legs = legs_to(route, goal);
     to_nearest_ = !route.reaches;
+    if (form == RouteForm::ByLegs && route.points_m.size() > 1 && has_legs(context_, route) &&
+        follow_by_legs({navigation::kNothing, route.points_m.back()}, {route}, goal, words, now_s))
+        return !to_nearest_;
     follow_silently(navigation::Route(route), goal);
-    const std::string how = route_words(route, legs, distances(context_), 1, counts());
-    context_.announce(cues::SpeechTopic::Summary, words + phrase("rooms.way", {{"goal", goal}, {"route", how}}), now_s);
+    const std::string how = route_words(route, legs_to(route, goal), distances(context_), 1, counts());
+    context_.announce(cues::SpeechTopic::Summary, beside(words, phrase("rooms.way", {{"goal", goal}, {"route", how}})),
+                      now_s);
     context_.events.report(Led{goal, LedBy::Ear}, now_s);
     return !to_nearest_;
 }
@@ -458,8 +458,9 @@ RouteFollower::Said SpokenRoute::tick_words(double now_s) {
         if (!directions_.at_work()) {
             // There are no directions leg by leg, so the whole route is announced, as for a guided hand.
             const std::optional<std::uint32_t> room = room_;
-            navigation::Route route = planned();
-            if (follow(std::move(route), std::string(name_), {}, now_s)) room_ = room;
+            const bool to_nearest = to_nearest_;
+            if (follow(planned(), std::string(name_), {}, now_s, RouteForm::Whole)) room_ = room;
+            to_nearest_ = to_nearest_ || to_nearest;
             preference_ = navigation::RoutePreference::OnFoot;
             return said;
         }

@@ -16,6 +16,9 @@
 
 namespace handrail::core {
 
+// The form of the announcements of a route: leg by leg if that is possible, or as a whole route.
+enum class RouteForm : std::uint8_t { ByLegs, Whole };
+
 class SpokenRoute : SessionPart {
 public:
     SpokenRoute(const SessionContext& context, Rooms& rooms, RoutePlans& plans, DirectionsGround& ground)
@@ -24,10 +27,11 @@ public:
     // Announces the route and follows it. If the goal cannot be reached, the route leads to the nearest place that can
     // be reached, and the function returns false. `first` is announced before everything else. Call it only after the
     // rooms have been found.
-    bool follow(navigation::Route route, const std::string& name, const std::string& first, double now_s);
+    bool follow(navigation::Route route, const std::string& name, const std::string& first, double now_s,
+                RouteForm form);
     void follow_to(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s);
-    // Follows the route to a room with directions leg by leg. If lifts, teleporters or edges are on the route, does the
-    // same as follow().
+    // Follows the route to a room. If stairs lead there, too, and are not much farther than a lift, the route is
+    // announced leg by leg.
     bool follow_to_room(std::uint32_t room, const std::string& first, double now_s);
     // Returns the route from here to a room, for the announcement of its length. `on_foot` has the distances from here.
     navigation::Route to_room(std::uint32_t room, const navigation::FootDistances& on_foot) const;
@@ -85,6 +89,8 @@ private:
         bool by_legs = false;  // true: all of the route can be announced leg by leg
     };
     RoomRoute route_to(std::uint32_t room, const navigation::FootDistances& on_foot) const;
+    bool follow_by_legs(const DirectionsEnd& end, FarRoute far, const std::string& name, const std::string& first,
+                        double now_s);
     void plan_on();
     navigation::Route planned() const;
     navigation::Route planned_to(std::uint32_t room) const;

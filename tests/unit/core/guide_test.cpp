@@ -667,7 +667,8 @@ TEST(TakeMe, without_a_device_gives_directions_follows_the_route_and_stops_when_
     p.key("Down");
     p.key("Enter");
     EXPECT_TRUE(p.heard("To Radiator. ")) << testing::PrintToString(p.said);
-    EXPECT_TRUE(p.heard("steps in all: one turn.")) << testing::PrintToString(p.said);
+    EXPECT_TRUE(p.heard("12 steps in all: 3 turns. Turn sharp right, then slightly right. 2 steps."))
+        << testing::PrintToString(p.said);
     p.tap(Command::TakeMe);
     EXPECT_TRUE(p.heard("You are no longer following a route."));
     EXPECT_FALSE(p.app.guide().beacon().on());

@@ -50,24 +50,6 @@ SceneBuilder two_rooms(double gap_x, double gap_m = 0.9) {
 }
 BlindWalker at(const Room& room, double x, double y) { return room.ground->body_at({x, y, 0.0}); }
 
-// Returns the spans within `within_m` of a place, on the same floor.
-DirectionsGoal goal_round(const WalkSpace& space, const Vec3& place_m, double within_m) {
-    DirectionsGoal goal(space.spans.size(), 0);
-    const std::uint32_t middle = space.nearest(place_m, 3.0, 1.5, 4.0);
-    if (middle == kNothing) return goal;
-    const Vec3 centre = space.place_m(middle);
-    // The flood fill starts at that place, so that spans on the other side of a wall do not count.
-    std::vector<std::uint32_t> open{middle};
-    goal[middle] = 1;
-    for (std::size_t i = 0; i < open.size(); ++i)
-        for (const std::uint32_t n : space.spans[open[i]].next)
-            if (n != kNothing && !goal[n] && glm::length(space.place_m(n) - centre) <= within_m) {
-                goal[n] = 1;
-                open.push_back(n);
-            }
-    return goal;
-}
-
 TEST(BlindGround, stops_a_body_where_the_walker_stops_and_slides_it_where_the_walker_slides) {
     SceneBuilder b = two_rooms(5.0);
     const Room room = room_of(b);
@@ -319,6 +301,30 @@ TEST(DirectionsRoute, ends_within_the_outline_that_the_file_states_for_a_room) {
     EXPECT_FALSE(stands_inside(graph, space, scene, {5.0, 6.1, 0.0}, 0)) << "a hand's breadth inside";
 }
 
+// A place has ended a route if the walker can go straight on to its goal. Behind the wall, no place has.
+TEST(DirectionsRoute, to_a_place_ends_where_every_place_near_it_in_a_straight_line_is) {
+    constexpr double kWithin_m = 0.8;
+    SceneBuilder b = two_rooms(5.0);
+    const Room room = room_of(b);
+    const WalkSpace& space = room.navigation->space();
+    std::mt19937 random(test::seed_of_run());
+    RecordProperty("seed", static_cast<int>(test::seed_of_run()));
+    std::size_t in = 0;
+    for (int i = 0; i < 50; ++i) {
+        const Vec3 at_m = space.place_m(static_cast<std::uint32_t>(random() % space.spans.size()));
+        const DirectionsGoal goal = goal_at_place(space, at_m, kWithin_m);
+        for (std::uint32_t s = 0; s < goal.size(); ++s) {
+            const Vec3 off_m = space.place_m(s) - at_m;
+            const bool near = std::hypot(off_m.x, off_m.y) <= kWithin_m && space.straight(space.place_m(s), at_m);
+            ASSERT_EQ(goal[s] != 0, near) << at_m.x << ' ' << at_m.y << " from " << off_m.x << ' ' << off_m.y;
+            in += goal[s];
+        }
+    }
+    EXPECT_GT(in, 1000U);
+    const DirectionsGoal none = goal_at_place(space, {50.0, 50.0, 0.0}, kWithin_m);
+    EXPECT_EQ(std::count(none.begin(), none.end(), 1), 0);
+}
+
 TEST(DirectionsRoute, does_not_exist_to_an_unreachable_place_or_after_cancellation) {
     SceneBuilder b = two_rooms(5.0, 0.3);  // the gap is too narrow for the walker
     b.start({2, 8, 0}, 0.0);
@@ -385,7 +391,7 @@ TEST(DirectionsRoute, never_leads_a_body_with_walking_errors_over_an_edge) {
     const Room room = room_of(b);
     const DirectionsPlanner planner(*room.ground, kStep_m);
     const Vec3 from(1.2, 1.5, 0.0);
-    const DirectionsGoal goal = goal_round(room.navigation->space(), {9.0, 11.0, 0.0}, 1.0);
+    const DirectionsGoal goal = goal_at_place(room.navigation->space(), {9.0, 11.0, 0.0}, 1.0);
     const auto route = planner.plan(from, 0.0, goal, {});
     ASSERT_TRUE(route);
     const auto scene = b.share();
