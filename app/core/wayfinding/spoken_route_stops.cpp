@@ -21,7 +21,7 @@ constexpr int kShutTries = 2;
 void SpokenRoute::note_stop(FeatureId by) {
     directions_.note_stop(by);
     // Keeps the places aside that were announced after stops near here, because they did not help.
-    constexpr double kNear_m = 1.0;
+    constexpr double kNear_m = 3.0;
     const Vec3& feet_m = context_.avatar.feet_m();
     const int times = stopped_ && stopped_->by == by ? stopped_->times + 1 : 1;
     std::vector<Vec3> tried_m;

@@ -99,6 +99,13 @@ std::vector<std::uint32_t> drawn(std::vector<std::uint32_t> rooms, const Draw& d
     return rooms;
 }
 
+// Returns true if the environment variable HANDRAIL_WALK_TO names this room, or is not set. It has names with |
+// between.
+bool chosen(const std::string& room) {
+    const char* const rooms = std::getenv("HANDRAIL_WALK_TO");
+    return !rooms || fmt::format("|{}|", rooms).find(fmt::format("|{}|", room)) != std::string::npos;
+}
+
 using Go = WordWalker::End (WordWalker::*)(const std::string& room);
 
 // Walks from the start to the rooms that the file names, and back. `every` is the stride between the tried rooms.
@@ -122,7 +129,8 @@ Row walk_all(const std::shared_ptr<const Scene>& world, std::uint32_t every, con
         row.missed.push_back(fmt::format("{} to {}: {} at {:.2f} {:.2f} {:.2f}",
                                          from == kNothing ? "start" : judge.rooms()[from].name, name, end_word(end),
                                          at_m.x, at_m.y, at_m.z));
-        if (std::getenv("HANDRAIL_ALL_ROUTES")) fmt::print("  {}\n{}", row.missed.back(), walker.last_lines(12));
+        if (std::getenv("HANDRAIL_ALL_ROUTES"))
+            fmt::print("  {}\n{}", row.missed.back(), walker.last_lines(std::getenv("HANDRAIL_WALK_TO") ? 80 : 12));
         return false;
     };
     std::vector<std::uint32_t> connected;
@@ -137,6 +145,7 @@ Row walk_all(const std::shared_ptr<const Scene>& world, std::uint32_t every, con
         if (row.connected++ % every == 0) connected.push_back(room);
     }
     for (const std::uint32_t room : drawn(std::move(connected), draw)) {
+        if (!chosen(judge.rooms()[room].name)) continue;
         if (!walk(start, room)) walker.put(judge.rooms()[room].middle_m);
         if (start == kNothing || !walk(room, start)) walker.put(start_m);
     }
