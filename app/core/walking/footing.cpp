@@ -64,7 +64,8 @@ bool Footing::held_at_edge(const WalkerMotion& before, Paces& paces, double now_
         if (edge_.confirmed && now_s - edge_.at_s > kEdgeConfirm_s + 1.0) edge_.confirmed = false;
         return false;
     }
-    if (edge_.confirmed) return false;
+    // Below an edge with no depth is no floor, so nobody goes over it.
+    if (edge_.confirmed && drop->depth_m) return false;
     avatar_.walker->resume(before);
     if (std::exchange(edge_.held, true)) return true;
     edge_.at_s = now_s;

@@ -118,7 +118,7 @@ TEST(WalkingFeature, treats_invalid_numbers_as_a_stick_at_rest) {
     EXPECT_NEAR(one.feet_m().y, one.plain.person.settings.walk.speed_m_per_s, 1e-6) << "never faster than a key";
 }
 
-TEST(WalkingFeature, stops_at_an_edge_until_the_key_is_pressed_again) {
+TEST(WalkingFeature, stops_at_an_edge_with_no_floor_below_however_often_the_key_is_pressed) {
     OnFoot one;
     one.walking.set_down({0.0, -9.0, 0.0}, kPi);
     one.settle();
@@ -131,9 +131,11 @@ TEST(WalkingFeature, stops_at_an_edge_until_the_key_is_pressed_again) {
     one.tick();
     EXPECT_THAT(one.plain.said(), IsEmpty()) << "told once for a press";
     one.keys.release_all();
-    EXPECT_TRUE(one.walking.act(Command::Forward, one.now_s));
-    for (int i = 0; i < 60; ++i) one.tick();
-    EXPECT_FALSE(one.plain.avatar.walker->state().on_ground) << "asked for twice";
+    for (int press = 0; press < 3; ++press) {
+        EXPECT_TRUE(one.walking.act(Command::Forward, one.now_s));
+        for (int i = 0; i < 60; ++i) one.tick();
+        EXPECT_TRUE(one.plain.avatar.walker->state().on_ground) << press;
+    }
 }
 
 // While this object exists, the session addresses a person who types lines.
