@@ -44,7 +44,7 @@ void SpokenRoute::stop() {
     preference_ = navigation::RoutePreference::Safest;
     unfinished_.reset();
     leapt_from_.clear();
-    faces_ = rest_requested_ = length_owed_ = false;
+    faces_ = rest_requested_ = length_owed_ = no_legs_ = false;
 }
 
 SpokenRoute::RoomRoute SpokenRoute::route_to(std::uint32_t room, const navigation::FootDistances& on_foot) const {
@@ -135,19 +135,9 @@ RouteCounts SpokenRoute::counts() const {
     if (unfinished_) return {};
     RouteCounts counts = counts_of(follower_.route(), nodes_to(context_, follower_.route(), name_));
     if (const auto of_legs = directions_.counts()) counts = {of_legs->turns, of_legs->doors};
-    counts.storeys = storeys_up();
+    const std::uint32_t to = navigation::room_at(rooms_.graph(), rooms_.space(), follower_.goal_m());
+    counts.storeys = storeys_up(*context_.world.scene, rooms_.graph(), rooms_.here(), to);
     return counts;
-}
-
-// Returns how many storeys the route leads up from here.
-int SpokenRoute::storeys_up() const {
-    const navigation::RoomGraph& graph = rooms_.graph();
-    const std::uint32_t to = navigation::room_at(graph, rooms_.space(), follower_.goal_m());
-    if (rooms_.here() == navigation::kNothing || to == navigation::kNothing) return 0;
-    const std::vector<StoreyOfRooms> storeys = storeys_of(*context_.world.scene, graph);
-    const std::size_t own = storey_of_room(storeys, graph, rooms_.here()), other = storey_of_room(storeys, graph, to);
-    if (own >= storeys.size() || other >= storeys.size()) return 0;
-    return static_cast<int>(other) - static_cast<int>(own);
 }
 
 std::string SpokenRoute::left_words() const {
@@ -323,14 +313,29 @@ void SpokenRoute::announce(const std::string& words, cues::SpeechTopic topic, do
     if (directions_.at_work()) return context_.answer(phrase("leg.looks"), now_s);
     if (!follower_.following()) return announce_onward(now_s);
     // There are no further directions leg by leg, so the whole route is announced, as for a guided hand.
+    no_legs_ = true;
     if (navigation::Route route = planned(); route.reaches && route.points_m.size() > 1)
         follow_silently(std::move(route), std::string(name_));
     announce_onward(now_s);
 }
 
+// Returns true if the rest of the route is announced leg by leg. After a lift, its rest may be, although the whole
+// route was not.
+bool SpokenRoute::goes_by_legs() {
+    if (directions_.at_work() || !follower_.following()) return directions_.at_work();
+    if (no_legs_ || plans_.runs_to(name_)) return false;
+    navigation::Route rest = planned();
+    if (!rest.reaches || rest.points_m.size() < 2 || !has_legs(context_, rest)) return false;
+    preference_ = navigation::RoutePreference::OnFoot;
+    const Vec3 end_m = room_ ? rooms_.graph().rooms[*room_].middle_m : rest.points_m.back();
+    follow_silently(std::move(rest), std::string(name_));
+    directions_.begin({room_.value_or(navigation::kNothing), end_m}, name_);
+    return directions_.at_work();
+}
+
 void SpokenRoute::announce_leg(double now_s) {
     rest_requested_ = false;
-    if (!follower_.following() || !directions_.at_work()) return announce_onward(now_s);
+    if (!goes_by_legs()) return announce_onward(now_s);
     announce(directions_.leg(), cues::SpeechTopic::Leg, now_s);
 }
 
@@ -361,7 +366,7 @@ void SpokenRoute::announce_anew(cues::SpeechTopic topic, double now_s) {
 
 void SpokenRoute::announce_next_leg(double now_s) {
     rest_requested_ = false;
-    if (!follower_.following() || !directions_.at_work()) return announce_onward(now_s);
+    if (!goes_by_legs()) return announce_onward(now_s);
     announce(directions_.next_leg(), cues::SpeechTopic::Leg, now_s);
 }
 
@@ -369,15 +374,6 @@ void SpokenRoute::announce_rest(double now_s) {
     const std::vector<std::string> legs = rest_of_route();
     rest_requested_ = legs.empty();
     announce(fmt::format("{}", fmt::join(legs, " ")), cues::SpeechTopic::Leg, now_s);
-}
-
-// Returns the room and the direction after a leap: "Hall, facing west."
-std::string SpokenRoute::here_words() const {
-    const std::uint32_t room = navigation::room_at(rooms_.graph(), rooms_.space(), context_.avatar.feet_m());
-    const std::string place =
-        room == navigation::kNothing ? spoken_name(*context_.world.scene) : rooms_.graph().rooms[room].name;
-    return phrase("questions.place_facing",
-                  {{"place", sentence_case(place)}, {"compass", fine_compass_word(context_.avatar.heading_goal_rad)}});
 }
 
 bool SpokenRoute::leap_on(double now_s) {
@@ -396,7 +392,8 @@ bool SpokenRoute::leap_on(double now_s) {
     leapt_from_.push_back(from);
     context_.play(cues::SoundKind::Arrived, now_s);
     const std::string leg = last ? std::string() : directions_.at_work() ? directions_.leg() : on_words();
-    announce(leg.empty() ? here_words() : here_words() + " " + leg, cues::SpeechTopic::Leg, now_s);
+    announce(leg.empty() ? place_facing_words(context_, rooms_) : place_facing_words(context_, rooms_) + " " + leg,
+             cues::SpeechTopic::Leg, now_s);
     return true;
 }
 
@@ -408,13 +405,15 @@ bool SpokenRoute::leap_back(double now_s) {
     // The present leg is now another one. Its words follow as soon as it is planned.
     if (directions_.at_work()) directions_.plan_from_here();
     context_.play(cues::SoundKind::Arrived, now_s);
-    announce(directions_.at_work() ? here_words() : here_words() + " " + on_words(), cues::SpeechTopic::Leg, now_s);
+    announce(directions_.at_work() ? place_facing_words(context_, rooms_)
+                                   : place_facing_words(context_, rooms_) + " " + on_words(),
+             cues::SpeechTopic::Leg, now_s);
     return true;
 }
 
 std::vector<std::string> SpokenRoute::rest_of_route() {
     if (!follower_.following()) return {};
-    if (directions_.at_work()) return directions_.rest();
+    if (goes_by_legs()) return directions_.rest();
     const navigation::Route route = planned();
     if (route.points_m.size() < 2 && !route.reaches) return {};
     std::vector<std::string> legs = legs_to(route, name_);
@@ -461,6 +460,7 @@ RouteFollower::Said SpokenRoute::tick_words(double now_s) {
             const bool to_nearest = to_nearest_;
             if (follow(planned(), std::string(name_), {}, now_s, RouteForm::Whole)) room_ = room;
             to_nearest_ = to_nearest_ || to_nearest;
+            no_legs_ = true;
             preference_ = navigation::RoutePreference::OnFoot;
             return said;
         }

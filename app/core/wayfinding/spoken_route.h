@@ -91,6 +91,7 @@ private:
     RoomRoute route_to(std::uint32_t room, const navigation::FootDistances& on_foot) const;
     bool follow_by_legs(const DirectionsEnd& end, FarRoute far, const std::string& name, const std::string& first,
                         double now_s);
+    bool goes_by_legs();
     void plan_on();
     navigation::Route planned() const;
     navigation::Route planned_to(std::uint32_t room) const;
@@ -102,8 +103,6 @@ private:
     std::string overview(const navigation::Route& route) const;
     std::string length_words(const std::string& through) const;
     RouteCounts counts() const;
-    int storeys_up() const;
-    std::string here_words() const;
     std::optional<Vec3> leg_place_m() const;
     void follow_silently(navigation::Route route, const std::string& goal);
     void announce(const std::string& words, cues::SpeechTopic topic, double now_s);
@@ -127,6 +126,7 @@ private:
     navigation::RoutePreference preference_ = navigation::RoutePreference::Safest;
     bool faces_ = false;           // true: the person faces in the direction of the announced leg
     bool length_owed_ = false;     // true: the length of the route is announced with its first leg
+    bool no_legs_ = false;         // true: no directions leg by leg were found for the rest of the route
     bool rest_requested_ = false;  // true: the person requested the rest of the route before it was planned
     std::string name_;
     bool to_nearest_ = false;

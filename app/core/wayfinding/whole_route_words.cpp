@@ -88,4 +88,12 @@ std::string whole_route_words(const SessionContext& context, const Rooms& rooms,
            legs;
 }
 
+std::string place_facing_words(const SessionContext& context, const Rooms& rooms) {
+    const std::uint32_t room = navigation::room_at(rooms.graph(), rooms.space(), context.avatar.feet_m());
+    const std::string place =
+        room == navigation::kNothing ? spoken_name(*context.world.scene) : rooms.graph().rooms[room].name;
+    return phrase("questions.place_facing",
+                  {{"place", sentence_case(place)}, {"compass", fine_compass_word(context.avatar.heading_goal_rad)}});
+}
+
 }  // namespace handrail::core

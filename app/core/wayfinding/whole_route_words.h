@@ -25,4 +25,7 @@ std::string rooms_between(const Rooms& rooms, const navigation::Route& route);
 std::string whole_route_words(const SessionContext& context, const Rooms& rooms, const std::string& name,
                               std::span<const Stop> stops);
 
+// Returns the room where the walker is and the direction that it faces: "Hall, facing west."
+std::string place_facing_words(const SessionContext& context, const Rooms& rooms);
+
 }  // namespace handrail::core

@@ -50,6 +50,13 @@ std::size_t storey_of_room(const std::vector<StoreyOfRooms>& storeys, const navi
     return static_cast<std::size_t>(found - storeys.begin());
 }
 
+int storeys_up(const Scene& scene, const navigation::RoomGraph& graph, std::uint32_t from, std::uint32_t to) {
+    const std::vector<StoreyOfRooms> storeys = storeys_of(scene, graph);
+    const std::size_t own = storey_of_room(storeys, graph, from), other = storey_of_room(storeys, graph, to);
+    if (own >= storeys.size() || other >= storeys.size()) return 0;
+    return static_cast<int>(other) - static_cast<int>(own);
+}
+
 std::string storey_name(const std::vector<StoreyOfRooms>& storeys, std::size_t which) {
     contract_pre(which < storeys.size());
     if (!storeys[which].file_name.empty()) return sentence_case(storeys[which].file_name);

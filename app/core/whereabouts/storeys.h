@@ -27,6 +27,9 @@ std::vector<StoreyOfRooms> storeys_of(const Scene& scene, const navigation::Room
 std::size_t storey_of_room(const std::vector<StoreyOfRooms>& storeys, const navigation::RoomGraph& graph,
                            std::uint32_t room);
 
+// Returns how many storeys room `to` is above room `from`; negative: below. Returns 0 if one of them is on no storey.
+int storeys_up(const Scene& scene, const navigation::RoomGraph& graph, std::uint32_t from, std::uint32_t to);
+
 // Returns the name from the file, such as "Level 1", or else "Storey 1", counted from the lowest.
 std::string storey_name(const std::vector<StoreyOfRooms>& storeys, std::size_t which);
 // Returns for each room of the graph the kinds for open_kinds_first: what the room is, such as "Rooms with a name" or

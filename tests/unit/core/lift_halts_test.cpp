@@ -70,6 +70,24 @@ TEST(LiftHalts, lead_to_the_announced_storey_which_the_key_can_change) {
     EXPECT_NEAR(ride.app.feet_m().z, 0.0, 0.02);
 }
 
+// A route with a lift is announced as a whole. Behind the lift, the rest of it leads over floor only.
+TEST(LiftHalts, are_left_with_directions_leg_by_leg) {
+    Ride ride(test::hall_with_lift());
+    ride.run(0.5);
+    ride.line("route hall, level 1");
+    ride.walk(4.0);
+    ride.tap(Command::Use);
+    ride.run(1.5);
+    ride.walk(2.5);
+    EXPECT_THAT(ride.request(Command::RepeatLeg), ::testing::HasSubstr("You are standing in it"));
+    ride.tap(Command::Use);
+    ride.run(8.0);
+    ASSERT_NEAR(ride.app.feet_m().z, 3.0, 0.02) << ride.news();
+    const std::string leg = ride.request(Command::RepeatLeg);
+    EXPECT_THAT(leg, ::testing::StartsWith("Turn round.")) << ride.news();
+    EXPECT_THAT(leg, ::testing::Not(::testing::HasSubstr("in all")));
+}
+
 // In the doorway, the door of the lift would touch the walker and open again and again. So the walker steps in.
 TEST(LiftHalts, depart_with_a_walker_who_stands_in_the_doorway) {
     for (const double in_m : {0.1, 0.15, 0.2, 0.25}) {

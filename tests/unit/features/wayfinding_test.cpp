@@ -258,7 +258,7 @@ TEST(Wayfinding, does_not_repeat_a_leg_on_which_the_body_was_just_stopped) {
     };
     for (const bool walked_on : {true, false}) {
         plain.stand({3.0, 2.0, 0.0});
-        word.begin(kitchen, "Kitchen");
+        word.begin({kitchen, rooms.graph().rooms[kitchen].middle_m}, "Kitchen");
         plan();
         ASSERT_EQ(word.state(), RouteDirections::State::Known);
         const std::string leg = word.leg();
