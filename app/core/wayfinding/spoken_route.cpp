@@ -3,13 +3,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "app/core/kept/saved_routes.h"
-#include "app/core/wayfinding/leaf_ahead.h"
 #include "app/core/wayfinding/leg.h"
 #include "app/core/wayfinding/whole_route_words.h"
 #include "app/core/whereabouts/climbs.h"
@@ -44,7 +41,8 @@ void SpokenRoute::stop() {
     preference_ = navigation::RoutePreference::Safest;
     unfinished_.reset();
     leapt_from_.clear();
-    faces_ = rest_requested_ = length_owed_ = no_legs_ = false;
+    no_legs_m_.reset();
+    faces_ = rest_requested_ = length_owed_ = false;
 }
 
 SpokenRoute::RoomRoute SpokenRoute::route_to(std::uint32_t room, const navigation::FootDistances& on_foot) const {
@@ -158,11 +156,9 @@ void SpokenRoute::follow_silently(navigation::Route route, const std::string& go
     announced_.reset();
     plans_.know(route.points_m);
     planned_in_ = context_.world.scene;
-    // If the person already stands at the goal, the route has only one point. A second point is added, because a route
-    // with one point would not be followed and could not end with an arrival.
+    // A route with one point, to where the person stands, would not be followed and could not end with an arrival.
     if (route.points_m.size() == 1) route.points_m.push_back(route.points_m.front());
-    std::vector<RouteNode> nodes = nodes_to(context_, route, goal);
-    follower_.follow(std::move(route), std::move(nodes));
+    follower_.follow(route, nodes_to(context_, route, goal));
 }
 
 bool SpokenRoute::follow(navigation::Route route, const std::string& name, const std::string& first, double now_s,
@@ -313,17 +309,19 @@ void SpokenRoute::announce(const std::string& words, cues::SpeechTopic topic, do
     if (directions_.at_work()) return context_.answer(phrase("leg.looks"), now_s);
     if (!follower_.following()) return announce_onward(now_s);
     // There are no further directions leg by leg, so the whole route is announced, as for a guided hand.
-    no_legs_ = true;
+    no_legs_m_ = context_.avatar.feet_m();
     if (navigation::Route route = planned(); route.reaches && route.points_m.size() > 1)
         follow_silently(std::move(route), std::string(name_));
     announce_onward(now_s);
 }
 
-// Returns true if the rest of the route is announced leg by leg. After a lift, its rest may be, although the whole
-// route was not.
+// Returns true if the rest of the route is announced leg by leg. After a lift, or away from a place where no legs were
+// found, it may be, although the route was not before.
 bool SpokenRoute::goes_by_legs() {
+    constexpr double kElsewhere_m = 2.0;
     if (directions_.at_work() || !follower_.following()) return directions_.at_work();
-    if (no_legs_ || plans_.runs_to(name_)) return false;
+    const bool tried = no_legs_m_ && glm::length(context_.avatar.feet_m() - *no_legs_m_) < kElsewhere_m;
+    if (tried || plans_.runs_to(name_)) return false;
     navigation::Route rest = planned();
     if (!rest.reaches || rest.points_m.size() < 2 || !has_legs(context_, rest)) return false;
     preference_ = navigation::RoutePreference::OnFoot;
@@ -460,7 +458,7 @@ RouteFollower::Said SpokenRoute::tick_words(double now_s) {
             const bool to_nearest = to_nearest_;
             if (follow(planned(), std::string(name_), {}, now_s, RouteForm::Whole)) room_ = room;
             to_nearest_ = to_nearest_ || to_nearest;
-            no_legs_ = true;
+            no_legs_m_ = context_.avatar.feet_m();
             preference_ = navigation::RoutePreference::OnFoot;
             return said;
         }

@@ -124,10 +124,10 @@ private:
     std::optional<std::uint32_t> room_;   // the room that is the goal, if it can be reached
     // OnFoot while directions leg by leg are announced, so that both plans use the same route.
     navigation::RoutePreference preference_ = navigation::RoutePreference::Safest;
-    bool faces_ = false;           // true: the person faces in the direction of the announced leg
-    bool length_owed_ = false;     // true: the length of the route is announced with its first leg
-    bool no_legs_ = false;         // true: no directions leg by leg were found for the rest of the route
-    bool rest_requested_ = false;  // true: the person requested the rest of the route before it was planned
+    bool faces_ = false;             // true: the person faces in the direction of the announced leg
+    bool length_owed_ = false;       // true: the length of the route is announced with its first leg
+    bool rest_requested_ = false;    // true: the person requested the rest of the route before it was planned
+    std::optional<Vec3> no_legs_m_;  // the last place from which no directions leg by leg were found
     std::string name_;
     bool to_nearest_ = false;
     struct Stop {

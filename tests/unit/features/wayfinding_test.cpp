@@ -186,8 +186,14 @@ TEST(Wayfinding, describes_a_route_and_then_each_of_its_steps_by_ear) {
     ASSERT_TRUE(ear.following());
     EXPECT_THAT(plain.said(), ElementsAre(testing::AllOf(testing::StartsWith("Well then. "), HasSubstr("Fence"))));
     EXPECT_EQ(ear.name(), "Fence");
-    ear.announce_onward(0.0);
-    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("Fence")));
+    // The first ticks prepare the ground and plan on it.
+    for (int i = 0; i < 3; ++i) {
+        ground.tick();
+        EXPECT_FALSE(ear.tick(0.0).arrived);
+    }
+    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("steps in all")));
+    ear.announce_leg(0.0);
+    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("steps")));
     bool arrived = false;
     const std::vector<Vec3> way = plain.plans.last_m();
     for (std::size_t i = 1; i < way.size(); ++i)
@@ -202,6 +208,7 @@ TEST(Wayfinding, describes_a_route_and_then_each_of_its_steps_by_ear) {
     ear.announce_onward(0.0);
     EXPECT_EQ(plain.said(), none);
     ear.follow_to({0.0, -8.0, 0.0}, "Hedge", {}, 0.0);
+    EXPECT_FALSE(ear.tick(0.0).left);
     plain.stand({-9.0, 9.0, 0.0});
     EXPECT_TRUE(ear.tick(0.0).left);
 }
