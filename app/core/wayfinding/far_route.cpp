@@ -1,25 +1,13 @@
 #include "app/core/wayfinding/far_route.h"
 
-#include <algorithm>
 #include <utility>
 
-#include "app/core/context/context_words.h"
 #include "app/core/kept/saved_routes.h"
+#include "app/core/wayfinding/route_stage.h"
 #include "worlds/base/contract.h"
+#include "worlds/navigation/reach.h"
 
 namespace handrail::core {
-
-bool has_legs(const SessionContext& context, navigation::PassageKind kind, FeatureId feature) {
-    return (kind == navigation::PassageKind::Door || kind == navigation::PassageKind::Opening ||
-            kind == navigation::PassageKind::Stairs) &&
-           lock_words(context, feature).empty();
-}
-
-bool has_legs(const SessionContext& context, const navigation::Route& route) {
-    return std::all_of(route.passages.begin(), route.passages.end(), [&](const navigation::RoutePassage& passage) {
-        return has_legs(context, passage.kind, passage.feature);
-    });
-}
 
 std::optional<FarRoute> far_route(const SessionContext& context, const Rooms& rooms, std::uint32_t room,
                                   const Vec3& to_m, const navigation::FootDistances& on_foot) {
@@ -34,6 +22,26 @@ std::optional<FarRoute> far_route(const SessionContext& context, const Rooms& ro
     far.ahead_m.push_back(to_m);
     if (!plan_stretch(rooms, far)) return std::nullopt;
     return far;
+}
+
+FarRoute route_to_room(const SessionContext& context, const Rooms& rooms, std::uint32_t room,
+                       const navigation::FootDistances& on_foot) {
+    constexpr double kLongerOnFoot = 1.5, kLongerOnFoot_m = 15.0;
+    navigation::Navigation& ways = rooms.navigation();
+    const Vec3 from_m = context.avatar.feet_m(), to_m = navigation::goal_in_room(ways, rooms.graph(), room, from_m);
+    if (auto far = far_route(context, rooms, room, to_m, on_foot)) return std::move(*far);
+    navigation::Route route = ways.plan(from_m, to_m);
+    if (!route.reaches || !without_legs(context, route)) return {std::move(route)};
+    navigation::Route foot = ways.plan(from_m, to_m, navigation::RoutePreference::OnFoot);
+    const bool much_longer = foot.length_m >= kLongerOnFoot * route.length_m + kLongerOnFoot_m;
+    if (!foot.reaches || without_legs(context, foot) || much_longer) return {std::move(route)};
+    return {std::move(foot)};
+}
+
+navigation::Route planned_to_room(const SessionContext& context, const Rooms& rooms, std::uint32_t room) {
+    navigation::Navigation& ways = rooms.navigation();
+    const Vec3 from_m = context.avatar.feet_m();
+    return ways.plan(from_m, navigation::goal_in_room(ways, rooms.graph(), room, from_m));
 }
 
 bool plan_stretch(const Rooms& rooms, FarRoute& far) {

@@ -1,4 +1,4 @@
-// Plans a long route to a room a stretch at a time, so that no tick takes long. The graph of rooms decides through
+// Plans routes to rooms, a long one a stretch at a time, so that no tick takes long. The graph of rooms decides through
 // which doorways the route leads. The planner then finds the way from doorway to doorway. A route through a large
 // office costs 0.4 s at once; a stretch costs milliseconds. Lengths are in world metres. Use it on the app thread only.
 #pragma once
@@ -28,15 +28,15 @@ struct FarRoute {
 // distances from the walker's place.
 std::optional<FarRoute> far_route(const SessionContext& context, const Rooms& rooms, std::uint32_t room,
                                   const Vec3& to_m, const navigation::FootDistances& on_foot);
+// Returns the route from the walker to a room, or its first stretch. Stairs are preferred to a lift if they are not
+// much farther, because directions leg by leg are more reliable.
+FarRoute route_to_room(const SessionContext& context, const Rooms& rooms, std::uint32_t room,
+                       const navigation::FootDistances& on_foot);
+// Returns the whole route from the walker to a room, by lift if that is shorter.
+navigation::Route planned_to_room(const SessionContext& context, const Rooms& rooms, std::uint32_t room);
 // Plans the next stretch. Returns false if the planner finds no route there. Call it only while the route is not whole.
 bool plan_stretch(const Rooms& rooms, FarRoute& far);
 // Returns the route with straight lines to the places that are still ahead.
 navigation::Route with_straight_lines(FarRoute far);
-
-// Returns true if directions leg by leg can describe the passage: a door that does not wait for a button, an opening or
-// stairs.
-bool has_legs(const SessionContext& context, navigation::PassageKind kind, FeatureId feature);
-// Returns true if that holds for all passages of the route.
-bool has_legs(const SessionContext& context, const navigation::Route& route);
 
 }  // namespace handrail::core

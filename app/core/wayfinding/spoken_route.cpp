@@ -8,6 +8,7 @@
 
 #include "app/core/kept/saved_routes.h"
 #include "app/core/wayfinding/leg.h"
+#include "app/core/wayfinding/route_stage.h"
 #include "app/core/wayfinding/whole_route_words.h"
 #include "app/core/whereabouts/climbs.h"
 #include "app/core/whereabouts/storeys.h"
@@ -18,9 +19,6 @@
 namespace handrail::core {
 namespace {
 
-// A route on foot is preferred to a route with a lift if it is shorter than the one with the lift times kLongerOnFoot
-// plus kLongerOnFoot_m.
-constexpr double kLongerOnFoot = 1.5, kLongerOnFoot_m = 15.0;
 constexpr double kTakenUpAhead_m = 2.0;  // how far ahead the person joins the old route again
 constexpr double kAtPlace_m = 0.2;       // if the walker is within this distance of the goal, no wall can be in between
 // The old route is kept if it is shorter than the new route times this factor.
@@ -42,31 +40,7 @@ void SpokenRoute::stop() {
     unfinished_.reset();
     leapt_from_.clear();
     no_legs_m_.reset();
-    faces_ = rest_requested_ = length_owed_ = false;
-}
-
-SpokenRoute::RoomRoute SpokenRoute::route_to(std::uint32_t room, const navigation::FootDistances& on_foot) const {
-    const Vec3 from_m = context_.avatar.feet_m(),
-               to_m = navigation::goal_in_room(rooms_.navigation(), rooms_.graph(), room, from_m);
-    if (auto far = far_route(context_, rooms_, room, to_m, on_foot)) return {std::move(*far), true};
-    navigation::Route route = rooms_.navigation().plan(from_m, to_m);
-    if (route.reaches && has_legs(context_, route)) return {{std::move(route)}, true};
-    // Directions leg by leg are more reliable than a lift, so stairs are preferred if the route over them is not much
-    // longer.
-    if (route.reaches) {
-        navigation::Route foot = rooms_.navigation().plan(from_m, to_m, navigation::RoutePreference::OnFoot);
-        if (foot.reaches && has_legs(context_, foot) &&
-            foot.length_m < kLongerOnFoot * route.length_m + kLongerOnFoot_m)
-            return {{std::move(foot)}, true};
-    }
-    return {{std::move(route)}, false};
-}
-
-// Returns the route to a room as follow_to() plans it.
-navigation::Route SpokenRoute::planned_to(std::uint32_t room) const {
-    const Vec3 from_m = context_.avatar.feet_m();
-    return rooms_.navigation().plan(from_m,
-                                    navigation::goal_in_room(rooms_.navigation(), rooms_.graph(), room, from_m));
+    faces_ = rest_requested_ = length_owed_ = to_passage_ = false;
 }
 
 // Plans more of an unfinished route. The route that is followed changes once it is finished.
@@ -75,21 +49,23 @@ void SpokenRoute::plan_on() {
     const bool planned_on = plan_stretch(rooms_, *unfinished_);
     if (planned_on && !unfinished_->ahead_m.empty()) return;
     const FarRoute far = *std::exchange(unfinished_, std::nullopt);
-    follow_silently(planned_on ? far.route : planned_to(*room_), std::string(name_));
+    follow_silently(planned_on ? far.route : planned_to_room(context_, rooms_, *room_), std::string(name_));
 }
 
 navigation::Route SpokenRoute::to_room(std::uint32_t room, const navigation::FootDistances& on_foot) const {
-    return with_straight_lines(route_to(room, on_foot).far);
+    return with_straight_lines(route_to_room(context_, rooms_, room, on_foot));
 }
 
 bool SpokenRoute::follow_to_room(std::uint32_t room, const std::string& first, double now_s) {
     const std::string name = sentence_case(rooms_.graph().rooms[room].name);
-    RoomRoute way = route_to(room, {rooms_.graph(), rooms_.here(), context_.avatar.feet_m()});
+    const FarRoute way =
+        route_to_room(context_, rooms_, room, {rooms_.graph(), rooms_.here(), context_.avatar.feet_m()});
     stop();
     to_nearest_ = false;
-    const bool reaches =
-        (way.by_legs && follow_by_legs({room, rooms_.graph().rooms[room].middle_m}, way.far, name, first, now_s)) ||
-        follow(way.far.ahead_m.empty() ? way.far.route : planned_to(room), name, first, now_s, RouteForm::Whole);
+    const bool reaches = (way.route.reaches && way.route.points_m.size() > 1 &&
+                          follow_by_legs({room, rooms_.graph().rooms[room].middle_m}, way, name, first, now_s)) ||
+                         follow(way.ahead_m.empty() ? way.route : planned_to_room(context_, rooms_, room), name, first,
+                                now_s, RouteForm::Whole);
     if (reaches) room_ = room;
     return reaches;
 }
@@ -98,9 +74,7 @@ bool SpokenRoute::follow_to_room(std::uint32_t room, const std::string& first, d
 // everything else. Returns false and announces nothing if no directions can be planned.
 bool SpokenRoute::follow_by_legs(const DirectionsEnd& end, FarRoute far, const std::string& name,
                                  const std::string& first, double now_s) {
-    directions_.begin(end, name);
-    if (!directions_.at_work()) return false;
-    preference_ = navigation::RoutePreference::OnFoot;
+    if (!begin_legs(far.route, end, name)) return false;
     const navigation::Route route = with_straight_lines(far);
     follow_silently(route, name);
     if (!far.ahead_m.empty()) unfinished_ = std::move(far);
@@ -114,6 +88,17 @@ bool SpokenRoute::follow_by_legs(const DirectionsEnd& end, FarRoute far, const s
     return true;
 }
 
+// Begins the directions leg by leg to the end of the route, or to the first passage on it without legs. Returns false
+// if there are none.
+bool SpokenRoute::begin_legs(const navigation::Route& route, const DirectionsEnd& end, const std::string& name) {
+    const auto stage = first_stage(context_, route, end, name);
+    if (!stage) return false;
+    to_passage_ = stage->before_passage;
+    if (!to_passage_) preference_ = navigation::RoutePreference::OnFoot;
+    directions_.begin(stage->end, stage->name);
+    return directions_.at_work();
+}
+
 // Returns the length of the route and the rooms on it. While the first legs are being planned, returns the rooms only.
 std::string SpokenRoute::overview(const navigation::Route& route) const {
     const std::string through = rooms_between(rooms_, route);
@@ -124,7 +109,7 @@ std::string SpokenRoute::overview(const navigation::Route& route) const {
 // Returns the length of the route that is followed, through these rooms. The length is the sum of the legs that the
 // person hears; it is approximate while their rest is being planned.
 std::string SpokenRoute::length_words(const std::string& through) const {
-    return summary_words(left_words(), directions_.whole() && directions_.at_work(), through, counts());
+    return summary_words(left_words(), !to_passage_ && directions_.whole() && directions_.at_work(), through, counts());
 }
 
 // Returns what the summary of the followed route counts. The turns and doors are those of the legs once all legs are
@@ -132,14 +117,16 @@ std::string SpokenRoute::length_words(const std::string& through) const {
 RouteCounts SpokenRoute::counts() const {
     if (unfinished_) return {};
     RouteCounts counts = counts_of(follower_.route(), nodes_to(context_, follower_.route(), name_));
-    if (const auto of_legs = directions_.counts()) counts = {of_legs->turns, of_legs->doors};
+    if (const auto of_legs = to_passage_ ? std::nullopt : directions_.counts())
+        counts = {of_legs->turns, of_legs->doors};
     const std::uint32_t to = navigation::room_at(rooms_.graph(), rooms_.space(), follower_.goal_m());
     counts.storeys = storeys_up(*context_.world.scene, rooms_.graph(), rooms_.here(), to);
     return counts;
 }
 
 std::string SpokenRoute::left_words() const {
-    return directions_.total_words().value_or(distance_words(follower_.left_m(), distances(context_)));
+    const auto of_legs = to_passage_ ? std::nullopt : directions_.total_words();
+    return of_legs.value_or(distance_words(follower_.left_m(), distances(context_)));
 }
 
 void SpokenRoute::follow_again(const std::string& first, double now_s) {
@@ -182,7 +169,7 @@ bool SpokenRoute::follow(navigation::Route route, const std::string& name, const
         goal = phrase("rooms.nearest_place_to", {{"goal", name}});
     }
     to_nearest_ = !route.reaches;
-    if (form == RouteForm::ByLegs && route.points_m.size() > 1 && has_legs(context_, route) &&
+    if (form == RouteForm::ByLegs && route.points_m.size() > 1 &&
         follow_by_legs({navigation::kNothing, route.points_m.back()}, {route}, goal, words, now_s))
         return !to_nearest_;
     follow_silently(navigation::Route(route), goal);
@@ -323,12 +310,11 @@ bool SpokenRoute::goes_by_legs() {
     const bool tried = no_legs_m_ && glm::length(context_.avatar.feet_m() - *no_legs_m_) < kElsewhere_m;
     if (tried || plans_.runs_to(name_)) return false;
     navigation::Route rest = planned();
-    if (!rest.reaches || rest.points_m.size() < 2 || !has_legs(context_, rest)) return false;
-    preference_ = navigation::RoutePreference::OnFoot;
+    if (!rest.reaches || rest.points_m.size() < 2) return false;
     const Vec3 end_m = room_ ? rooms_.graph().rooms[*room_].middle_m : rest.points_m.back();
+    if (!begin_legs(rest, {room_.value_or(navigation::kNothing), end_m}, name_)) return false;
     follow_silently(std::move(rest), std::string(name_));
-    directions_.begin({room_.value_or(navigation::kNothing), end_m}, name_);
-    return directions_.at_work();
+    return true;
 }
 
 void SpokenRoute::announce_leg(double now_s) {
@@ -380,7 +366,7 @@ bool SpokenRoute::leap_on(double now_s) {
     bool last = false;
     if (const auto end = directions_.move_on()) {
         context_.session_requests.place(end->at_m, end->heading_rad, now_s);
-        last = end->last;
+        last = end->last && !to_passage_;
     } else if (const auto node = follower_.next_node()) {
         context_.session_requests.place(node->at_m, node->heading_rad, now_s);
         last = node->last;
@@ -411,7 +397,11 @@ bool SpokenRoute::leap_back(double now_s) {
 
 std::vector<std::string> SpokenRoute::rest_of_route() {
     if (!follower_.following()) return {};
-    if (goes_by_legs()) return directions_.rest();
+    if (goes_by_legs()) {
+        std::vector<std::string> legs = directions_.rest();
+        if (to_passage_ && !legs.empty()) append_legs_behind(legs, context_, planned(), name_);
+        return legs;
+    }
     const navigation::Route route = planned();
     if (route.points_m.size() < 2 && !route.reaches) return {};
     std::vector<std::string> legs = legs_to(route, name_);
@@ -455,11 +445,11 @@ RouteFollower::Said SpokenRoute::tick_words(double now_s) {
         if (!directions_.at_work()) {
             // There are no directions leg by leg, so the whole route is announced, as for a guided hand.
             const std::optional<std::uint32_t> room = room_;
-            const bool to_nearest = to_nearest_;
+            const bool to_nearest = to_nearest_, on_foot = !to_passage_;
             if (follow(planned(), std::string(name_), {}, now_s, RouteForm::Whole)) room_ = room;
             to_nearest_ = to_nearest_ || to_nearest;
             no_legs_m_ = context_.avatar.feet_m();
-            preference_ = navigation::RoutePreference::OnFoot;
+            if (on_foot) preference_ = navigation::RoutePreference::OnFoot;
             return said;
         }
         // The person requested these legs before they were planned, so they are announced now.
@@ -476,6 +466,12 @@ RouteFollower::Said SpokenRoute::tick_words(double now_s) {
     said.left = news.left;
     said.arrived = news.arrived;
     if (!news.arrived) return said;
+    if (to_passage_) {
+        directions_.stop();
+        said.arrived = false;
+        said.text = on_words();
+        return said;
+    }
     said.text = phrase("route.arrived", {{"goal", sentence_case(name_)}});
     stop();
     return said;

@@ -84,17 +84,12 @@ public:
     RouteFollower::Said tick(double now_s);
 
 private:
-    struct RoomRoute {
-        FarRoute far;
-        bool by_legs = false;  // true: all of the route can be announced leg by leg
-    };
-    RoomRoute route_to(std::uint32_t room, const navigation::FootDistances& on_foot) const;
     bool follow_by_legs(const DirectionsEnd& end, FarRoute far, const std::string& name, const std::string& first,
                         double now_s);
+    bool begin_legs(const navigation::Route& route, const DirectionsEnd& end, const std::string& name);
     bool goes_by_legs();
     void plan_on();
     navigation::Route planned() const;
-    navigation::Route planned_to(std::uint32_t room) const;
     bool stands_in(const navigation::RoutePassage& passage) const;
     bool stands_at(const navigation::RoutePassage& passage) const;
     bool there(bool at_end) const;
@@ -125,6 +120,7 @@ private:
     // OnFoot while directions leg by leg are announced, so that both plans use the same route.
     navigation::RoutePreference preference_ = navigation::RoutePreference::Safest;
     bool faces_ = false;             // true: the person faces in the direction of the announced leg
+    bool to_passage_ = false;        // true: the legs end at a passage that has no legs, such as a lift
     bool length_owed_ = false;       // true: the length of the route is announced with its first leg
     bool rest_requested_ = false;    // true: the person requested the rest of the route before it was planned
     std::optional<Vec3> no_legs_m_;  // the last place from which no directions leg by leg were found

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "app/core/context/context_words.h"
+#include "app/core/wayfinding/leg.h"
+#include "app/core/wayfinding/route_stage.h"
 #include "app/core/wayfinding/stops.h"
 #include "worlds/base/language.h"
 
@@ -86,6 +88,18 @@ std::string whole_route_words(const SessionContext& context, const Rooms& rooms,
                "ways.whole",
                {{"way", name}, {"from", stops.front().name}, {"distance", distance_words(all_m, distances(context))}}) +
            legs;
+}
+
+void append_legs_behind(std::vector<std::string>& legs, const SessionContext& context, const navigation::Route& route,
+                        const std::string& goal) {
+    constexpr double kBehind_m = 1e-3;
+    const auto passage = without_legs(context, route);
+    if (!passage) return;
+    const navigation::Route rest = rest_of(route, passage->at_m + kBehind_m);
+    if (rest.points_m.size() < 2) return;
+    for (std::string& leg :
+         route_legs(rest, nodes_to(context, rest, goal), heading_of(rest, false), distances(context)))
+        legs.push_back(std::move(leg));
 }
 
 std::string place_facing_words(const SessionContext& context, const Rooms& rooms) {

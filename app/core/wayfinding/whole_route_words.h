@@ -25,6 +25,10 @@ std::string rooms_between(const Rooms& rooms, const navigation::Route& route);
 std::string whole_route_words(const SessionContext& context, const Rooms& rooms, const std::string& name,
                               std::span<const Stop> stops);
 
+// Appends to `legs` those behind the first passage of the route without legs, where the given ones end. On which side a
+// lift is left is not known, so they begin without a turn.
+void append_legs_behind(std::vector<std::string>& legs, const SessionContext& context, const navigation::Route& route,
+                        const std::string& goal);
 // Returns the room where the walker is and the direction that it faces: "Hall, facing west."
 std::string place_facing_words(const SessionContext& context, const Rooms& rooms);
 

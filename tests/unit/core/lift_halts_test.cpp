@@ -70,12 +70,16 @@ TEST(LiftHalts, lead_to_the_announced_storey_which_the_key_can_change) {
     EXPECT_NEAR(ride.app.feet_m().z, 0.0, 0.02);
 }
 
-// A route with a lift is announced as a whole. Behind the lift, the rest of it leads over floor only.
-TEST(LiftHalts, are_left_with_directions_leg_by_leg) {
+// A route with a lift is announced in stages: leg by leg to the lift, what to do there, and leg by leg behind it.
+TEST(LiftHalts, are_reached_and_left_with_directions_leg_by_leg) {
     Ride ride(test::hall_with_lift());
     ride.run(0.5);
     ride.line("route hall, level 1");
+    ride.run(0.5);
+    EXPECT_TRUE(ride.heard("Straight on. 4 steps, until you meet door.")) << ride.news();
+    EXPECT_THAT(ride.request(Command::RestOfRoute), ::testing::HasSubstr("to Hall, Level 1."));
     ride.walk(4.0);
+    EXPECT_TRUE(ride.heard("door, shut. ")) << ride.news();
     ride.tap(Command::Use);
     ride.run(1.5);
     ride.walk(2.5);
