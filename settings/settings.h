@@ -28,6 +28,11 @@ enum class KeyboardHand { Both, Left, Right };
 enum class ColourSet { Dark, Light, HighContrast, ColourSafe };
 // How directions are announced: "30 degrees left", "at 11 o'clock", "north".
 enum class DirectionChoice { Sides, Clock, Compass };
+// Where the spotlight shines, outside which nothing sounds: straight ahead, or from the walker towards the hand.
+enum class SpotlightChoice { Off, Ahead, Hand };
+// How the virtual cane is swept: the tip stays on the ground, or touches it at both ends of the arc, or goes out to the
+// wall or edge at one side.
+enum class CaneTechnique { ConstantContact, TwoPoint, Shoreline };
 
 // The results of `handrail calibrate` for one device and the person who uses the device. The settings file has them as
 // [profile."falcon a9001"]. An empty value was not measured.
@@ -139,7 +144,15 @@ struct Settings {
         bool marks = true;      // a cue: marks, landmarks and clues nearby
         bool beacon = true;     // a cue: the beacon, and the sounds "warmer" and "colder"
         bool guide = true;      // a cue: a sound when leading the hand begins or ends
+        SpotlightChoice spotlight = SpotlightChoice::Off;
+        double spotlight_deg = 60.0;  // width of the spotlight, 10 to 180
+        // Greatest number of the world's sounds that play at once, and of landmarks and clues that sound nearby, 1 to 8.
+        int most_at_once = 3;
     } sound;
+    struct Cane {
+        CaneTechnique technique = CaneTechnique::ConstantContact;
+        double length_m = 1.3;  // length of the virtual cane, 0.9 to 1.8
+    } cane;
     struct Desk {
         // The hand gets to the desk if the person pulls it through a wall towards the body, or presses the desk's key.
         bool use = true;

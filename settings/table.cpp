@@ -16,6 +16,8 @@ constexpr std::array<std::string_view, 2> kHandWords{"right", "left"};
 constexpr std::array<std::string_view, 3> kKeyboardWords{"both", "left", "right"};
 constexpr std::array<std::string_view, 4> kColourWords{"dark", "light", "high-contrast", "colour-safe"};
 constexpr std::array<std::string_view, 3> kDirectionWords{"sides", "clock", "compass"};
+constexpr std::array<std::string_view, 3> kSpotlightWords{"off", "ahead", "hand"};
+constexpr std::array<std::string_view, 3> kCaneWords{"constant-contact", "two-point", "shoreline"};
 constexpr std::array<std::string_view, 5> kThroughWords{"auto", "screen-reader", "speech-dispatcher", "embedded",
                                                         "text"};
 constexpr std::size_t kLongestText = 64;
@@ -125,6 +127,16 @@ const std::array kTable{
     SettingInfo{"sound.guide", "", kPersonOnly, SwitchField{HANDRAIL_AT(sound.guide)}},
     SettingInfo{"sound.swap_sides", "", kPersonOnly, SwitchField{HANDRAIL_AT(sound.swap_sides)}},
     SettingInfo{"sound.as_text", "", kPersonOnly, SwitchField{HANDRAIL_AT(sound.as_text)}},
+    SettingInfo{
+        "sound.spotlight", "", kPersonOnly,
+        ChoiceField{kSpotlightWords, [](const Settings& s) { return static_cast<std::size_t>(s.sound.spotlight); },
+                    [](Settings& s, std::size_t i) { s.sound.spotlight = static_cast<SpotlightChoice>(i); }}},
+    SettingInfo{"sound.spotlight_deg", "deg", kPersonOnly, NumberField{HANDRAIL_AT(sound.spotlight_deg), 10.0, 180.0}},
+    SettingInfo{"sound.most_at_once", "", kPersonOnly, WholeField{HANDRAIL_AT(sound.most_at_once), 1, 8}},
+    SettingInfo{"cane.technique", "", kPersonOnly,
+                ChoiceField{kCaneWords, [](const Settings& s) { return static_cast<std::size_t>(s.cane.technique); },
+                            [](Settings& s, std::size_t i) { s.cane.technique = static_cast<CaneTechnique>(i); }}},
+    SettingInfo{"cane.length_m", "m", kPersonOnly, NumberField{HANDRAIL_AT(cane.length_m), 0.9, 1.8}},
     SettingInfo{"desk.use", "", kPersonOnly, SwitchField{HANDRAIL_AT(desk.use)}},
     SettingInfo{"dynamics.strength_n", "n", kPersonOnly, NumberField{HANDRAIL_AT(dynamics.strength_n), 5.0, 500.0}},
     SettingInfo{"pads.use", "", kPersonOnly, SwitchField{HANDRAIL_AT(pads.use)}},

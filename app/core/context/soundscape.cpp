@@ -147,13 +147,18 @@ void Soundscape::add(const std::vector<AddedSound>& sounds) {
     }
 }
 
-void Soundscape::tick(const WalkerWorld& world, const Vec3& ears_m, double now_s, std::vector<cues::CueRequest>& cues) {
+void Soundscape::tick(const WalkerWorld& world, const Vec3& ears_m, double now_s, std::vector<cues::CueRequest>& cues,
+                      const SoundLimits& limits) {
     contract_pre(is_finite(ears_m) && std::isfinite(now_s));
     // 1. Compute the level of each source at the ears. To limit the cost, compute the muffling of only some sources
     //   in each tick.
     std::size_t followed = 0;
     for (std::size_t i = 0; i < sources_.size(); ++i) {
         Source& source = sources_[(next_ + i) % sources_.size()];
+        if (limits.spotlight && !limits.spotlight->shows(source.position_m)) {
+            source.level_db = -1e9;
+            continue;
+        }
         const double plain_db =
             decibels(source.loudness * cues::distance_gain(source.kind, glm::length(source.position_m - ears_m)));
         if (plain_db > kSilent_db && followed < kFollowedPerTick) {
@@ -163,7 +168,7 @@ void Soundscape::tick(const WalkerWorld& world, const Vec3& ears_m, double now_s
         }
         source.level_db = source.known && source.muffled_db <= kUnheard_db ? plain_db - source.muffled_db : -1e9;
     }
-    choose(now_s);
+    choose(limits.most, now_s);
     if (next_room_s_ < 0.0 || now_s >= next_room_s_) {
         next_room_s_ = now_s + kRoomEvery_s;
         reverberation_s_ = core::reverberation_s(world, ears_m);
@@ -206,7 +211,7 @@ void Soundscape::tick(const WalkerWorld& world, const Vec3& ears_m, double now_s
     }
 }
 
-void Soundscape::choose(double now_s) {
+void Soundscape::choose(std::size_t most, double now_s) {
     std::size_t heard = 0;
     for (Source& source : sources_) {
         if (source.level_db < kSilent_db) source.heard = false;
@@ -223,11 +228,17 @@ void Soundscape::choose(double now_s) {
                 rival = &source;
         }
         for (Source& source : sources_)
-            if (source.heard || &source != best || heard < kMost || least == nullptr ||
+            if (source.heard || &source != best || heard < most || least == nullptr ||
                 source.level_db < least->level_db + kLouder_db)
                 source.louder_since_s = now_s;
+        if (heard > most) {
+            // The person has just chosen a smaller number.
+            least->heard = false;
+            --heard;
+            continue;
+        }
         if (best == nullptr) return;
-        if (heard >= kMost) {
+        if (heard == most) {
             if (now_s - best->louder_since_s < kFor_s) return;
             least->heard = false;
             --heard;

@@ -1,12 +1,14 @@
 // Selects the sounds of the world that reach the ears: it computes how much walls and doors muffle each sound, and
-// which three sounds are played. It consists of pure functions, and of a small state over an immutable world. Use it on
-// the app thread only. Each tick traces at most eight of the sources in range.
+// which sounds are played, usually three. It consists of pure functions, and of a small state over an immutable world.
+// Use it on the app thread only. Each tick traces at most eight of the sources in range.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "app/core/context/spotlight.h"
 #include "app/core/world/walker_world.h"
 #include "audio-cues/plan/cue_planner.h"
 
@@ -36,9 +38,14 @@ struct AddedSound {
     bool operator==(const AddedSound&) const = default;
 };
 
+// Limits what is played, by the person's settings.
+struct SoundLimits {
+    std::optional<Spotlight> spotlight = {};  // a value: sources outside this beam are silent
+    std::size_t most = 3;                     // greatest number of sources that play at once
+};
+
 class Soundscape {
 public:
-    static constexpr std::size_t kMost = 3;
     // A new sound replaces a playing sound if the new one has been louder by at least kLouder_db for kFor_s.
     static constexpr double kLouder_db = 3.0, kFor_s = 0.5;
 
@@ -50,7 +57,8 @@ public:
     // Reverberation time in seconds of the room around the ears; measured twice a second.
     double reverberation_s() const { return reverberation_s_; }
     // Selects the sounds for the position of the ears, and appends the changes since the last tick to `cues`.
-    void tick(const WalkerWorld& world, const Vec3& ears_m, double now_s, std::vector<cues::CueRequest>& cues);
+    void tick(const WalkerWorld& world, const Vec3& ears_m, double now_s, std::vector<cues::CueRequest>& cues,
+              const SoundLimits& limits = {});
 
 private:
     struct Source {
@@ -64,7 +72,7 @@ private:
         // For a source that is not playing: time since which it has been loud enough to play.
         double louder_since_s = 0.0;
     };
-    void choose(double now_s);
+    void choose(std::size_t most, double now_s);
 
     std::vector<Source> sources_;
     std::size_t added_ = 0;               // number of added sounds, at the end of sources_

@@ -44,6 +44,7 @@ enum class Command : std::uint8_t {
     Heading,
     AroundMe,    // announces one thing for each quarter of the circle
     AheadOfMe,   // announces up to four things, the nearest first
+    Spotlight,   // makes only the things ahead sound, then only those towards the hand, then all
     Lost,        // turns to the nearest wall; announces the room and the route to the last known place
     Describe,    // opens a list of rooms; for the chosen one, announces size, exits and things by wall
     Overview,    // describes the building in three sentences
@@ -117,6 +118,10 @@ enum class Command : std::uint8_t {
     FreeLeft,
     FreeRight,
     Callouts,
+    Cane,           // takes the virtual cane in the hand or puts it away
+    CaneTechnique,  // chooses the next technique of sweeping the cane
+    CaneLeft,       // sweeps the cane to the left; to be held
+    CaneRight,
     // The following commands are for learning a place.
     Unexplored,
     ProgressReport,

@@ -6,6 +6,7 @@
 
 #include "app/core/context/context_words.h"
 #include "app/core/context/soundscape.h"
+#include "app/core/context/spotlight.h"
 #include "app/core/world/body_heights.h"
 #include "app/core/world/surroundings.h"
 #include "worlds/base/contract.h"
@@ -172,12 +173,14 @@ void MarkList::tick(double now_s) {
     contract_pre(context_.world.scene != nullptr && context_.world.solids != nullptr);
     const bool announces = !std::exchange(first_look_, false);
     const Vec3 waist = context_.avatar.feet_m() + Vec3(0.0, 0.0, kWaist_m);
-    // Returns the horizontal distance to the box if the box is on this storey and not behind a wall or door. Otherwise
-    // returns 1e9.
+    const std::optional<Spotlight> beam = spotlight(context_);
+    // Returns the horizontal distance to the box if the box is on this storey, in the spotlight and not behind a wall
+    // or door. Otherwise returns 1e9.
     const auto walker_to_m = [&](const Aabb& box, double range_m) {
         const Vec3 place = nearest_place(box, waist);
         const Vec3 way = place - waist;
         const double level_m = std::hypot(way.x, way.y);
+        if (beam && !beam->shows(place)) return 1e9;
         if (level_m > range_m || std::abs(way.z) > kAboveOrBelow_m) return 1e9;
         return muffling_db(*context_.world.solids, waist, place) >= kDoorMuffles_db ? 1e9 : level_m;
     };
@@ -199,12 +202,20 @@ void MarkList::tick(double now_s) {
         return feature.landmark ? cues::SoundKind::Landmark : cues::SoundKind::Clue;
     };
     list_landmarks();
-    std::vector<FeatureId> near_now;
+    std::vector<std::pair<double, FeatureId>> near;
     for (const FeatureId id : landmarks_) {
         const Feature& feature = context_.world.scene->features[id.value];
         const bool was = std::find(landmarks_near_.begin(), landmarks_near_.end(), id) != landmarks_near_.end();
         const double range_m = (was ? kFarther : 1.0) * kLandmarkNear_m;
-        if (walker_to_m(feature.bounds_m, range_m) > range_m) continue;
+        if (const double to_m = walker_to_m(feature.bounds_m, range_m); to_m <= range_m) near.emplace_back(to_m, id);
+    }
+    // In a crowded place, only the nearest ones sound.
+    std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    near.resize(std::min(near.size(), static_cast<std::size_t>(context_.settings.sound.most_at_once)));
+    std::vector<FeatureId> near_now;
+    for (const auto& [to_m, id] : near) {
+        const bool was = std::find(landmarks_near_.begin(), landmarks_near_.end(), id) != landmarks_near_.end();
+        const Feature& feature = context_.world.scene->features[id.value];
         near_now.push_back(id);
         if (!was && announces && !context_.hands.tuning.panic)
             context_.play_at(sound_of(feature), nearest_place(feature.bounds_m, waist), now_s);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/core/context/device_settings.h"
+#include "app/core/context/spotlight.h"
 #include "app/core/dialogue/brief_words.h"
 #include "app/core/world/world_now.h"
 #include "worlds/base/contract.h"
@@ -84,6 +85,7 @@ void Session::enter_world(EnteringWorld world, const std::optional<Placed>& begi
     state_.lists.dialogue.close_all();  // The lists are closed, because they may refer to the old world.
     movers_.triggers.enter_world();
     walk_.walking.enter_world();
+    walk_.cane.enter_world();
     state_.context.tick_s = now_s;
     ++state_.world.entered;
 
@@ -166,7 +168,7 @@ void Session::release(Command command) {
 }
 
 void Session::set_focus(bool focused) {
-    if (!focused) walk_.walking.steer({});
+    if (!focused) steer({});
     state_.hands.tuning.focused = focused;
     if (!focused) {
         walk_.keys_held.release_all();
@@ -183,7 +185,7 @@ bool Session::idle() const {
     if (!menu_.reports().idle(state_.context.tick_s) || !places_.faults.idle()) return false;
     if (questions_.too_early && state_.context.tick_s - questions_.too_early->requested_s < kAnswerFollows_s)
         return false;
-    return walk_.walking.idle() && bodies_.idle() && hand_.workspace.idle() && !walk_.keys_held.any();
+    return walk_.walking.idle() && walk_.cane.idle() && bodies_.idle() && hand_.workspace.idle() && !walk_.keys_held.any();
 }
 
 void Session::act(Command command, double now_s, int times) {
@@ -325,6 +327,7 @@ void Session::tick(double now_s, const servo::ToolState& tool, const servo::Tool
     if (dt_s > 0.0) {
         hand_.workspace.move_hand_by_keys(dt_s);
         walk_.walking.tick(now_s, dt_s);
+        walk_.cane.tick(now_s, dt_s);
     }
     hand_.forces.tick(now_s);
     lesson_session_.tick(now_s);
@@ -344,7 +347,9 @@ void Session::tick(double now_s, const servo::ToolState& tool, const servo::Tool
     take_settled();
     guide_.follow(now_s);
     walk_.walking.announce_walls(now_s);
-    soundscape_.tick(*state_.world.solids, listener().ears_m, now_s, state_.cues.waiting);
+    soundscape_.tick(
+        *state_.world.solids, listener().ears_m, now_s, state_.cues.waiting,
+        {spotlight(state_.context), static_cast<std::size_t>(state_.person.settings.sound.most_at_once)});
     places_.marks.tick_button(now_s);
     guide_.lead(now_s);
     places_.marks.tick(now_s);

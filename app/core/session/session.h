@@ -163,7 +163,7 @@ private:
     bool leave_lists(double now_s);
     bool take_act(const ItemAct& act, double now_s);
     void know_stops(std::uint32_t stops, double now_s);
-    void steer(const Steering& steering) { walk_.walking.steer(steering); }
+    void steer(const Steering& steering) { walk_.walking.steer(walk_.cane.take(steering)); }
     void set_focus(bool focused);
     void move_hand(const Vec3& by_device_m) { hand_.workspace.move_hand(by_device_m); }
     void go_on_at(const LastPlace& place, double now_s);

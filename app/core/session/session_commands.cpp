@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/core/context/spotlight.h"
 #include "app/core/menu/understood_list.h"
 #include "app/core/session/session.h"
 #include "worlds/base/contract.h"
@@ -25,6 +26,11 @@ struct Session::Carriers {
     static bool labyrinth(Session& s, Command c, double now_s, int) { return s.labyrinth_.act(c, now_s); }
     static bool bodies(Session& s, Command c, double now_s, int times) { return s.bodies_.act(c, now_s, times); }
     static bool walking(Session& s, Command c, double now_s, int times) { return s.walk_.walking.act(c, now_s, times); }
+    static bool cane(Session& s, Command c, double now_s, int) { return s.walk_.cane.act(c, now_s); }
+    static bool spotlight(Session& s, Command, double now_s, int) {
+        turn_spotlight_on(s.state_.context, now_s);
+        return true;
+    }
     static bool workspace(Session& s, Command c, double now_s, int) { return s.hand_.workspace.act(c, now_s); }
     static bool forces(Session& s, Command c, double now_s, int) { return s.hand_.forces.act(c, now_s); }
     static bool place(Session& s, Command c, double now_s, int) { return s.learn_.place.act(c, now_s); }
@@ -72,6 +78,7 @@ struct Session::Carriers {
         Row{Command::Heading, {}, {queries}},
         Row{Command::AroundMe, {}, {queries}},
         Row{Command::AheadOfMe, {}, {queries}},
+        Row{Command::Spotlight, {}, {spotlight}},
         Row{Command::Lost, {}, {far}},
         Row{Command::Describe, {}, {far}},
         Row{Command::Overview, {labyrinth}, {far}},
@@ -142,6 +149,10 @@ struct Session::Carriers {
         Row{Command::FreeLeft, {}, {walking}},
         Row{Command::FreeRight, {}, {walking}},
         Row{Command::Callouts, {}, {itself}},
+        Row{Command::Cane, {}, {cane}},
+        Row{Command::CaneTechnique, {}, {cane}},
+        Row{Command::CaneLeft, {}, {cane}},
+        Row{Command::CaneRight, {}, {cane}},
         Row{Command::Unexplored, {}, {place}},
         Row{Command::ProgressReport, {}, {place}},
         Row{Command::LearnPlace, {}, {place}},

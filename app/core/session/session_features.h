@@ -23,6 +23,7 @@
 #include "app/core/places/no_route_reason.h"
 #include "app/core/places/prepare_lesson.h"
 #include "app/core/walking/by_ear.h"
+#include "app/core/walking/cane.h"
 #include "app/core/walking/footing.h"
 #include "app/core/walking/walking.h"
 #include "app/core/wayfinding/answers.h"
@@ -63,11 +64,13 @@ struct WalkingFeatures {
     explicit WalkingFeatures(SessionState& state)
         : by_ear(state.context, state.avatar, keys_held),
           footing(state.context, state.avatar),
-          walking(state.context, state.avatar, keys_held, by_ear, footing) {}
+          walking(state.context, state.avatar, keys_held, by_ear, footing),
+          cane(state.context, state.avatar, keys_held) {}
     HeldKeys keys_held;
     ByEar by_ear;
     Footing footing;
     Walking walking;
+    Cane cane;
 };
 
 // The questions that the person asks.

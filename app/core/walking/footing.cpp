@@ -108,7 +108,7 @@ void Footing::tick(const Vec3& before_m, const WalkResult& walked, double now_s)
         looked_.from_m = feet;
         looked_.heading_rad = avatar_.heading_rad;
         looked_.at_s = now_s;
-        announce_ahead(now_s);
+        if (!avatar_.cane_out) announce_ahead(now_s);
     }
     beat_ahead(now_s);
 }
@@ -167,11 +167,11 @@ void Footing::announce_ahead(double now_s) {
             phrase("walking.drop", {{"distance", distance_words(ahead.drop->distance_m, distances(context_))}}), now_s);
 }
 
-// Plays a beat before an edge, and a knock from a door that the walker faces. It is silent while the person stands
+// Plays a beat before an edge unless the cane is to find the edge, and a knock from a door that the walker faces. It is silent while the person stands
 // still.
 void Footing::beat_ahead(double now_s) {
     if (now_s - looked_.moved_s > kStill_s) return;
-    if (looked_.ahead.drop) {
+    if (looked_.ahead.drop && !avatar_.cane_out) {
         const Vec3 place = looked_.ahead.drop->place_m;
         const double distance = glm::dot(place - avatar_.feet_m(), forward_of_heading(avatar_.heading_rad));
         if (distance > -0.3 && distance <= kDropWarning_m && now_s - looked_.beat_s >= drop_beat_s(distance)) {

@@ -16,6 +16,7 @@ struct WalkerState {
     // the hand.
     double heading_goal_rad = 0.0;
     FeatureId ground = kNoFeature;  // feature on which the walker stands
+    bool cane_out = false;          // true: the walker probes the ground ahead with the virtual cane
     // The walker's path since it was last placed: points a quarter of a metre apart, the newest last.
     std::vector<Vec3> crumbs_m;
 
