@@ -146,7 +146,7 @@ struct Settings {
         bool guide = true;      // a cue: a sound when leading the hand begins or ends
         SpotlightChoice spotlight = SpotlightChoice::Off;
         double spotlight_deg = 60.0;  // width of the spotlight, 10 to 180
-        // Greatest number of the world's sounds that play at once, and of landmarks and clues that sound nearby, 1 to 8.
+        // Greatest number of the world's sounds at once, and of landmarks and clues that sound nearby, 1 to 8.
         int most_at_once = 3;
     } sound;
     struct Cane {

@@ -85,7 +85,7 @@ Steering Cane::take(const Steering& steering) {
 
 // Returns half of the arc that the tip sweeps: as wide as the body and a little more on each side.
 double Cane::arc_rad() const {
-    const double aside_m = avatar_.walker->size().radius_m + kBesideBody_m;
+    const double aside_m = avatar_.walker->size().radius_m + kPastBody_m;
     return std::asin(std::min(1.0, aside_m / cane_reach_m(context_.settings.cane.length_m)));
 }
 

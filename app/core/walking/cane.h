@@ -33,8 +33,8 @@ public:
     // Returns true if no sweep that the person has requested is under way.
     bool idle() const { return !goal_rad_; }
 
-    // The tip passes this far beside the body at both ends of the arc.
-    static constexpr double kBesideBody_m = 0.15;
+    // At both ends of the arc, the tip passes the body at this distance.
+    static constexpr double kPastBody_m = 0.15;
 
 private:
     double arc_rad() const;

@@ -167,8 +167,8 @@ void Footing::announce_ahead(double now_s) {
             phrase("walking.drop", {{"distance", distance_words(ahead.drop->distance_m, distances(context_))}}), now_s);
 }
 
-// Plays a beat before an edge unless the cane is to find the edge, and a knock from a door that the walker faces. It is silent while the person stands
-// still.
+// Plays a beat before an edge unless the cane is to find the edge, and a knock from a door that the walker faces. It is
+// silent while the person stands still.
 void Footing::beat_ahead(double now_s) {
     if (now_s - looked_.moved_s > kStill_s) return;
     if (looked_.ahead.drop && !avatar_.cane_out) {
