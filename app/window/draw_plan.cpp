@@ -84,9 +84,11 @@ void draw_walker(ImDrawList& list, const PlanLayout& layout, const core::ViewSta
     }
 }
 
-// Draws the holes of a labyrinth as filled circles and its goals as crosses.
-void draw_labyrinth(ImDrawList& list, const PlanLayout& layout, const Scene& scene, const Palette& palette,
+// Draws the parts of a labyrinth so that they differ without colour: the border as a double frame, holes as dark discs
+// with a rim, goals as crosses, and the ball as a bright disc with a ring and a dot.
+void draw_labyrinth(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view, const Palette& palette,
                     float unit_px) {
+    const Scene& scene = *view.scene;
     const auto corners = [&](const Aabb& box) {
         return std::pair(im(layout.to_pixels(box.min_m)), im(layout.to_pixels(box.max_m)));
     };
@@ -104,6 +106,27 @@ void draw_labyrinth(ImDrawList& list, const PlanLayout& layout, const Scene& sce
             list.AddLine(a, b, colour_of(colour), wide);
             list.AddLine({a.x, b.y}, {b.x, a.y}, colour_of(colour), wide);
         }
+    }
+    for (const FeatureId border : scene.labyrinth.borders) {
+        const auto [a, b] = corners(scene.features[border.value].bounds_m);
+        const ImVec2 from(std::min(a.x, b.x), std::min(a.y, b.y)), to(std::max(a.x, b.x), std::max(a.y, b.y));
+        for (const float inside : {0.0F, 1.6F * unit_px})
+            list.AddRect({from.x + inside, from.y + inside}, {to.x - inside, to.y - inside}, colour_of(palette.text),
+                         0.0F, 0, 0.6F * unit_px);
+    }
+    const auto is_ball = [&](std::size_t thing) { return scene.placed[thing].feature == scene.labyrinth.ball; };
+    for (std::size_t i = 0; i < scene.placed.size(); ++i) {
+        if (!scene.labyrinth.there() || !is_ball(i)) continue;
+        const auto moved = std::find_if(view.moved.begin(), view.moved.end(),
+                                        [&](const core::MovedThing& one) { return one.thing == i; });
+        const Placement& at = moved == view.moved.end() ? scene.placed[i].at : moved->at;
+        const ImVec2 middle = im(layout.to_pixels(at.position_m));
+        const double half_m = 0.5 * scene.placed[i].model->bounds_m.size_m().x * at.scale;
+        const float radius = std::max(1.6F * unit_px, static_cast<float>(half_m * layout.pixels_per_m));
+        list.AddCircleFilled(middle, radius, colour_of(palette.text));
+        list.AddCircle(middle, radius + 0.8F * unit_px, colour_of(palette.ground), 0, 0.8F * unit_px);
+        list.AddCircle(middle, radius + 1.4F * unit_px, colour_of(palette.text), 0, 0.5F * unit_px);
+        list.AddCircleFilled(middle, 0.3F * radius, colour_of(palette.ground));
     }
 }
 
@@ -186,7 +209,8 @@ void PlanDrawing::draw(const core::ViewState& view, ImFont& font, const PixelBox
     palette_ = &palette_of(view.display.colours);
     unit_px_ = text_px / 5.0F;
     line_ = static_cast<float>(view.display.outline_width);
-    const PlanLayout layout = lay_out_plan(plan_extent(view), view.feet_m, view.heading_rad, view.north_up, box);
+    const PlanLayout layout = lay_out_plan(plan_extent(view), view.camera_m.value_or(view.feet_m), view.heading_rad,
+                                           view.north_up || view.camera_m, box);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.PushClipRect(im(box.min_px), im(box.max_px));
     // Compute the plan's cut again after a step up or down, but not after each of the small height changes on a slope.
@@ -205,7 +229,7 @@ void PlanDrawing::draw(const core::ViewState& view, ImFont& font, const PixelBox
     for (const auto& [a, b] : cut_->sheets_m)
         list.AddLine(im(layout.to_pixels(a)), im(layout.to_pixels(b)), colour_of(palette_->wall), 3.0F * line_);
     draw_room_outlines(list, layout, view);
-    draw_labyrinth(list, layout, *view.scene, *palette_, unit_px_);
+    draw_labyrinth(list, layout, view, *palette_, unit_px_);
 
     std::vector<Vec3> path_m = view.path_m;
     if (!path_m.empty()) path_m.push_back(view.feet_m);

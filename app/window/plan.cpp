@@ -2,6 +2,7 @@
 
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
+#include "worlds/scene/building_bounds.h"
 
 namespace handrail::window {
 
@@ -27,12 +28,9 @@ std::vector<std::size_t> rooms_of_storey(const core::ViewState& view) {
 
 PlanExtent plan_extent(const core::ViewState& view) {
     PlanExtent extent{view.scene->bounds_m};
-    if (const LabyrinthPlan& game = view.scene->labyrinth; game.there()) {
-        Aabb table;
-        for (const FeatureId border : game.borders) table.include(view.scene->features[border.value].bounds_m);
-        for (const auto* places : {&game.holes, &game.goals})
-            for (const LabyrinthPlan::Place& place : *places) table.include(place.box_m);
-        return {table.empty() ? extent.bounds_m : table, 0.0, 1e4};
+    if (view.scene->labyrinth.there()) {
+        const bool all = view.plan_scale == core::NamedScale::Building;
+        return {labyrinth_table_m(*view.scene), 0.0, 1e4, !all};
     }
     if (!view.plan_scale) return extent;
     extent.least_px_per_m = 0.0;
@@ -72,7 +70,8 @@ PlanLayout lay_out_plan(const PlanExtent& extent, const Vec3& feet_m, double hea
     layout.centre_m = Vec2(feet_m.x, feet_m.y);
     const Vec2 size_px = box.max_px - box.min_px;
     const Vec3 world = bounds_m.empty() ? Vec3(1.0) : glm::max(bounds_m.size_m(), Vec3(1e-3));
-    const double whole = 0.94 * std::min(size_px.x / world.x, size_px.y / world.y);
+    const Vec2 ratio(size_px.x / world.x, size_px.y / world.y);
+    const double whole = 0.94 * (extent.fills ? std::max(ratio.x, ratio.y) : std::min(ratio.x, ratio.y));
     layout.pixels_per_m = std::clamp(whole, std::max(extent.least_px_per_m, 1e-3), extent.most_px_per_m);
     if (!north_up) {
         layout.turn_rad = heading_rad;

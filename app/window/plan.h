@@ -38,9 +38,11 @@ inline constexpr double kPlanRoomMargin_m = 0.6;  // the scale Room shows this m
 struct PlanExtent {
     Aabb bounds_m;
     double least_px_per_m = kPlanFinest_px_per_m, most_px_per_m = kPlanClosest_px_per_m;
+    // True: the bounds fill the plan along both axes, so part of the longer axis may be outside the plan.
+    bool fills = false;
 };
 // Returns the extent for the scale that the person chose by the scale keys: the building, the storey, the room or the
-// walker's surroundings. In a labyrinth, its table fills the plan.
+// walker's surroundings. In a labyrinth, its table fills the plan; the scale Building shows the whole table.
 PlanExtent plan_extent(const core::ViewState& view);
 // Returns the rooms on the walker's storey, as indices into ViewState::rooms.
 std::vector<std::size_t> rooms_of_storey(const core::ViewState& view);

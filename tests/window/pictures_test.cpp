@@ -319,13 +319,41 @@ TEST_F(Pictures, of_a_labyrinth_fill_the_plan) {
     ViewState view = person.view();
     view.pictures = core::Pictures::Plan;
     const WindowLayout layout = lay_out_window({1280, 720}, view.pictures, 1.0);
-    const PlanLayout plan = lay_out_plan(plan_extent(view), view.feet_m, view.heading_rad, true, layout.plan);
+    ASSERT_TRUE(view.camera_m);
+    const PlanLayout plan = lay_out_plan(plan_extent(view), *view.camera_m, view.heading_rad, true, layout.plan);
     const Vec3 size_px = plan.pixels_per_m * plan_extent(view).bounds_m.size_m();
-    EXPECT_GT(std::max(size_px.x / (layout.plan.max_px.x - layout.plan.min_px.x),
+    EXPECT_GT(std::min(size_px.x / (layout.plan.max_px.x - layout.plan.min_px.x),
                        size_px.y / (layout.plan.max_px.y - layout.plan.min_px.y)),
-              0.9);
+              0.9)
+        << "along both axes";
     const Palette& palette = palette_of(view.display.colours);
-    EXPECT_GT(pixels_of(draw(view, {1280, 720}, "labyrinth"), palette.beacon, layout.plan), 50) << "the goal";
+    view.plan_scale = core::NamedScale::Building;
+    const Picture whole = draw(view, {1280, 720}, "labyrinth");
+    EXPECT_GT(pixels_of(whole, palette.beacon, layout.plan), 50) << "the goal";
+    // Without colour, the ball is a bright disc with a dark dot in its middle.
+    const PlanLayout all = lay_out_plan(plan_extent(view), *view.camera_m, view.heading_rad, true, layout.plan);
+    const Vec2 ball_px = all.to_pixels(*view.camera_m);
+    const auto around_ball = [&](double from_px, double to_px) {
+        return PixelBox{ball_px + Vec2(from_px, -2.0), ball_px + Vec2(to_px, 2.0)};
+    };
+    const double radius_px = 0.05 * all.pixels_per_m;
+    EXPECT_GT(pixels_of(whole, palette.ground, around_ball(-2.0, 2.0)), 4) << "the dot";
+    EXPECT_GT(pixels_of(whole, palette.text, around_ball(0.45 * radius_px, 0.9 * radius_px)), 4) << "the disc";
+}
+
+TEST_F(Pictures, of_a_labyrinth_follow_the_camera_up_to_the_edge_of_the_table) {
+    Explorer person("labyrinth1.map");
+    ViewState view = person.view();
+    const PixelBox box{Vec2(0.0), Vec2(300.0, 700.0)};
+    const Aabb table = plan_extent(view).bounds_m;
+    for (const double share : {0.0, 0.5, 1.0}) {
+        const Vec3 at = table.min_m + share * table.size_m();
+        const PlanLayout plan = lay_out_plan(plan_extent(view), at, 0.0, true, box);
+        const double half_m = 0.5 * 300.0 / plan.pixels_per_m;
+        EXPECT_GE(plan.centre_m.x - half_m, table.min_m.x - 1e-9);
+        EXPECT_LE(plan.centre_m.x + half_m, table.max_m.x + 1e-9);
+        EXPECT_TRUE(share != 0.5 || std::abs(plan.centre_m.x - at.x) < 1e-9);
+    }
 }
 
 }  // namespace pictures_test

@@ -77,4 +77,13 @@ Aabb building_bounds_m(const Scene& scene) {
     return high;
 }
 
+Aabb labyrinth_table_m(const Scene& scene) {
+    Aabb table;
+    if (!scene.labyrinth.there()) return table;
+    for (const FeatureId border : scene.labyrinth.borders) table.include(scene.features[border.value].bounds_m);
+    for (const auto* places : {&scene.labyrinth.holes, &scene.labyrinth.goals})
+        for (const LabyrinthPlan::Place& place : *places) table.include(place.box_m);
+    return table;
+}
+
 }  // namespace handrail

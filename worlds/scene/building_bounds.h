@@ -10,5 +10,7 @@ namespace handrail {
 // rooms, returns the bounds of everything except the ground that readers added. Empty if the scene has nothing but that
 // ground.
 Aabb building_bounds_m(const Scene& scene);
+// Returns the bounds of the table of a labyrinth game: its borders, holes and goals. Empty if the scene has no game.
+Aabb labyrinth_table_m(const Scene& scene);
 
 }  // namespace handrail

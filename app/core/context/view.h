@@ -79,6 +79,8 @@ struct ViewState {
     bool touching = false;  // true: the proxy has another colour and a ring
     Vec3 force_n{0.0};      // force on the hand, in world axes
     Pictures pictures = Pictures::Both;
+    // What the plan follows in a game: the place over which the camera is; no value: the plan follows the walker.
+    std::optional<Vec3> camera_m;
     // How much of the world the plan shows; no value: the whole world, or the part around the walker if it is large.
     std::optional<NamedScale> plan_scale;
     bool forces_on = true;

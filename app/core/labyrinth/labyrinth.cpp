@@ -9,14 +9,17 @@
 #include <vector>
 
 #include "app/core/bodies/body_words.h"
+#include "app/core/dialogue/words.h"
 #include "app/core/learning/time_words.h"
 #include "worlds/base/language.h"
+#include "worlds/scene/building_bounds.h"
 
 namespace handrail::core {
 namespace {
 
-constexpr double kMoved_m = 0.01;  // the clock starts once the ball has moved this far
-constexpr double kBack_s = 1.0;    // time from the fall of the ball until it is put back
+constexpr double kFollowed_m = 0.001;  // the camera follows a ball that has moved this far in a tick
+constexpr double kMoved_m = 0.01;      // the clock starts once the ball has moved this far
+constexpr double kBack_s = 1.0;        // time from the fall of the ball until it is put back
 constexpr double kNearer_m = 0.05, kStuck_s = 60.0;
 constexpr double kLookDown_m = 0.3;  // height above a hole from which the code looks down for a cover
 constexpr double kFarWall_m = 20.0;
@@ -25,6 +28,13 @@ constexpr double kLoudness = 0.6;
 // Largest distances at which the person hears a hole and the goal, in diameters of the ball.
 constexpr double kHoleHeard = 10.0, kGoalHeard = 20.0;
 constexpr double kSlowestBeat_hz = 2.0, kFastestBeat_hz = 10.0;
+constexpr double kSlowestBell_hz = 0.5, kFastestBell_hz = 6.0;
+
+// Returns beats per second that are faster the nearer the ball is. The rate is rounded to quarters of a beat, so that
+// the sound changes only if the difference is audible.
+double beats_hz(double slowest_hz, double fastest_hz, double share_of_range) {
+    return std::round(4.0 * (fastest_hz - (fastest_hz - slowest_hz) * share_of_range)) / 4.0;
+}
 
 bool holds(const Aabb& box_m, const Vec3& at_m) {
     return at_m.x >= box_m.min_m.x && at_m.x <= box_m.max_m.x && at_m.y >= box_m.min_m.y && at_m.y <= box_m.max_m.y &&
@@ -57,6 +67,7 @@ void Labyrinth::enter_world(double now_s) {
     const Aabb& box = context_.world.scene->placed[ball_].model->bounds_m;
     radius_m_ = 0.5 * std::min({box.size_m().x, box.size_m().y, box.size_m().z});
     covered_.assign(plan().holes.size(), false);
+    table_m_ = labyrinth_table_m(*context_.world.scene);
     begin(now_s);
     look_at_holes(now_s, false);
     sound();
@@ -193,9 +204,62 @@ void Labyrinth::list_corridors(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-bool Labyrinth::act(Command command, double now_s) {
+bool Labyrinth::keeps(Command command) const {
+    return there() && (command == Command::Forward || command == Command::Back || command == Command::TurnLeft ||
+                       command == Command::TurnRight);
+}
+
+std::optional<Vec3> Labyrinth::camera_m() const {
+    if (!there()) return std::nullopt;
+    return panned_m_ ? panned_m_ : ball_m();
+}
+
+// Names what is under the camera, within half a roll of its middle.
+std::string Labyrinth::under_camera_words() const {
+    const Vec3 at_m = camera_m().value_or(Vec3(0.0));
+    const auto near = [&](const Aabb& box) {
+        const Vec3 place = glm::clamp(at_m, box.min_m, box.max_m);
+        return std::hypot(place.x - at_m.x, place.y - at_m.y) < 0.25 * roll_m();
+    };
+    std::string text;
+    const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
+    for (std::size_t i = 0; i < plan().holes.size(); ++i)
+        if (near(plan().holes[i].box_m)) add(phrase(covered_[i] ? "labyrinth.a_covered_hole" : "labyrinth.a_hole"));
+    for (const LabyrinthPlan::Place& goal : plan().goals)
+        if (near(goal.box_m)) add(phrase("labyrinth.the_goal"));
+    for (const FreeBody& body : context_.world.scene->bodies)
+        if (near(context_.world.solids->box_of_placed(thing_of(body.feature)))) add(body_name(context_, body.feature));
+    return text;
+}
+
+// Moves the camera. It stops at the edge of the table.
+void Labyrinth::pan(const Vec3& by_m, const char* edge, double now_s) {
+    const Vec3 to_m = *camera_m() + by_m, there_m = glm::clamp(to_m, table_m_.min_m, table_m_.max_m);
+    panned_m_ = Vec3(there_m.x, there_m.y, to_m.z);
+    std::string text = phrase("labyrinth.camera", {{"off", off_words(*panned_m_)}});
+    if (const std::string under = under_camera_words(); !under.empty()) text += " " + sentence_case(under) + ".";
+    if (glm::length(*panned_m_ - to_m) > 1e-9) {
+        context_.play_at(cues::SoundKind::Border, *panned_m_, now_s);
+        text = phrase("labyrinth.edge", {{"side", edge}}) + " " + text;
+    }
+    context_.answer(std::move(text), now_s);
+}
+
+bool Labyrinth::act(Command command, double now_s, int times) {
     if (command != Command::Labyrinth && !there()) return false;
     switch (command) {
+        case Command::Forward:
+            pan(Vec3(0.0, times * roll_m(), 0.0), "north", now_s);
+            return true;
+        case Command::Back:
+            pan(Vec3(0.0, -times * roll_m(), 0.0), "south", now_s);
+            return true;
+        case Command::TurnRight:
+            pan(Vec3(times * roll_m(), 0.0, 0.0), "east", now_s);
+            return true;
+        case Command::TurnLeft:
+            pan(Vec3(-times * roll_m(), 0.0, 0.0), "west", now_s);
+            return true;
         case Command::Labyrinth:
             context_.answer(there() ? state_words() : phrase("labyrinth.none"), now_s);
             return true;
@@ -214,6 +278,7 @@ bool Labyrinth::act(Command command, double now_s) {
 
 void Labyrinth::begin(double now_s) {
     began_s_ = fallen_s_ = -1.0;
+    panned_m_.reset();
     over_ = hint_announced_ = false;
     nearest_m_ = to_goal_m();
     nearer_s_ = now_s;
@@ -245,7 +310,7 @@ void Labyrinth::look_at_holes(double now_s, bool announces) {
 }
 
 // Makes open holes near the ball hum, with beats that become faster as the ball comes nearer to the edge of the hole.
-// Makes goals near the ball ring.
+// Makes goals near the ball ring, also faster the nearer the ball is.
 void Labyrinth::sound() {
     std::vector<AddedSound> sounds;
     const Vec3 ball = ball_m();
@@ -255,13 +320,13 @@ void Labyrinth::sound() {
         const Vec3 nearest = glm::clamp(ball, box.min_m, box.max_m);
         const double edge_m = std::hypot(nearest.x - ball.x, nearest.y - ball.y);
         if (covered_[i] || edge_m > hums_m) continue;
-        // The rate is rounded to quarters of a beat, so that the sound changes only if the difference is audible.
-        const double beats = kFastestBeat_hz - (kFastestBeat_hz - kSlowestBeat_hz) * edge_m / hums_m;
-        sounds.push_back({cues::SoundKind::Hum, box.centre_m(), kLoudness, std::round(4.0 * beats) / 4.0});
+        sounds.push_back({cues::SoundKind::Hum, box.centre_m(), kLoudness,
+                          beats_hz(kSlowestBeat_hz, kFastestBeat_hz, edge_m / hums_m)});
     }
     for (const LabyrinthPlan::Place& goal : plan().goals)
-        if (glm::length(goal.box_m.centre_m() - ball) <= rings_m)
-            sounds.push_back({cues::SoundKind::Tolling, goal.box_m.centre_m(), kLoudness});
+        if (const double away_m = glm::length(goal.box_m.centre_m() - ball); away_m <= rings_m)
+            sounds.push_back({cues::SoundKind::Tolling, goal.box_m.centre_m(), kLoudness,
+                              beats_hz(kSlowestBell_hz, kFastestBell_hz, away_m / rings_m)});
     if (sounds == sounds_) return;
     sounds_ = std::move(sounds);
     soundscape_.add(sounds_);
@@ -288,6 +353,7 @@ void Labyrinth::tick(double now_s) {
         return;
     }
     const Vec3 ball = ball_m();
+    if (glm::length(ball - std::exchange(last_m_, ball)) > kFollowed_m) panned_m_.reset();
     if (began_s_ < 0.0 && glm::length(ball - start_m_) > kMoved_m) began_s_ = nearer_s_ = now_s;
     look_at_holes(now_s, true);
     sound();

@@ -82,6 +82,9 @@ void Session::enter_world(EnteringWorld world, const std::optional<Placed>& begi
     places_.why_no_route.enter_world();
     learn_.teaching.blocked.clear();
     labyrinth_.enter_world(now_s);
+    // A labyrinth is seen from above.
+    if (const bool game = labyrinth_.camera_m().has_value(); game != std::exchange(shown_.game, game))
+        shown_.pictures = game ? Pictures::Plan : Pictures::Both;
     state_.lists.dialogue.close_all();  // The lists are closed, because they may refer to the old world.
     movers_.triggers.enter_world();
     walk_.walking.enter_world();
@@ -145,7 +148,7 @@ void Session::press(Command command, double now_s, int times) {
     hand_.workspace.note_command();
     if (lesson_session_.takes(command, now_s)) return;
     lesson_session_.note(command);
-    if (info(command).hold && !bodies_.keeps(command)) walk_.keys_held.press(command);
+    if (info(command).hold && !bodies_.keeps(command) && !labyrinth_.keeps(command)) walk_.keys_held.press(command);
     act(command, now_s, times);
 }
 
@@ -185,7 +188,8 @@ bool Session::idle() const {
     if (!menu_.reports().idle(state_.context.tick_s) || !places_.faults.idle()) return false;
     if (questions_.too_early && state_.context.tick_s - questions_.too_early->requested_s < kAnswerFollows_s)
         return false;
-    return walk_.walking.idle() && walk_.cane.idle() && bodies_.idle() && hand_.workspace.idle() && !walk_.keys_held.any();
+    return walk_.walking.idle() && walk_.cane.idle() && bodies_.idle() && hand_.workspace.idle() &&
+           !walk_.keys_held.any();
 }
 
 void Session::act(Command command, double now_s, int times) {
@@ -347,9 +351,8 @@ void Session::tick(double now_s, const servo::ToolState& tool, const servo::Tool
     take_settled();
     guide_.follow(now_s);
     walk_.walking.announce_walls(now_s);
-    soundscape_.tick(
-        *state_.world.solids, listener().ears_m, now_s, state_.cues.waiting,
-        {spotlight(state_.context), static_cast<std::size_t>(state_.person.settings.sound.most_at_once)});
+    soundscape_.tick(*state_.world.solids, listener().ears_m, now_s, state_.cues.waiting,
+                     {spotlight(state_.context), static_cast<std::size_t>(state_.person.settings.sound.most_at_once)});
     places_.marks.tick_button(now_s);
     guide_.lead(now_s);
     places_.marks.tick(now_s);

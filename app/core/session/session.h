@@ -233,6 +233,7 @@ private:
     Given given_;
     struct Shown {
         Pictures pictures = Pictures::Both;
+        bool game = false;  // true: the world is a labyrinth
         HandPath hand_path;
     };
     Shown shown_;  // what only the window needs

@@ -23,7 +23,7 @@ struct Session::Carriers {
         std::array<Carrier, 2> carriers;
     };
 
-    static bool labyrinth(Session& s, Command c, double now_s, int) { return s.labyrinth_.act(c, now_s); }
+    static bool labyrinth(Session& s, Command c, double now_s, int times) { return s.labyrinth_.act(c, now_s, times); }
     static bool bodies(Session& s, Command c, double now_s, int times) { return s.bodies_.act(c, now_s, times); }
     static bool walking(Session& s, Command c, double now_s, int times) { return s.walk_.walking.act(c, now_s, times); }
     static bool cane(Session& s, Command c, double now_s, int) { return s.walk_.cane.act(c, now_s); }
@@ -50,10 +50,10 @@ struct Session::Carriers {
 
     // The rows are in the order of the enum Command.
     static constexpr std::array kRows{
-        Row{Command::Forward, {bodies}, {walking}},
-        Row{Command::Back, {bodies}, {walking}},
-        Row{Command::TurnLeft, {bodies}, {walking}},
-        Row{Command::TurnRight, {bodies}, {walking}},
+        Row{Command::Forward, {bodies, labyrinth}, {walking}},
+        Row{Command::Back, {bodies, labyrinth}, {walking}},
+        Row{Command::TurnLeft, {bodies, labyrinth}, {walking}},
+        Row{Command::TurnRight, {bodies, labyrinth}, {walking}},
         Row{Command::SideLeft, {}, {walking}},
         Row{Command::SideRight, {}, {walking}},
         Row{Command::TiltUp, {bodies}, {walking}},

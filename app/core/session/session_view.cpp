@@ -78,6 +78,7 @@ ViewState Session::view(const servo::ToolState& tool) {
     view.dialogue = state_.lists.dialogue.view();
     view.moved = bodies_.moved();
     view.feet_m = feet_m();
+    view.camera_m = labyrinth_.camera_m();
     view.eyes_m = view.feet_m + Vec3(0.0, 0.0, state_.avatar.walker->size().eye_height_m);
     view.heading_rad = state_.avatar.heading_rad;
     view.tilt_rad = walk_.walking.tilt_rad();

@@ -8,6 +8,7 @@
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/app_session.h"
+#include "worlds/scene/models.h"
 
 namespace handrail {
 namespace labyrinth_test {
@@ -153,6 +154,103 @@ TEST(Labyrinth, the_border_thuds_when_the_ball_hits_it) {
     player.taps(Command::TurnRight, 12);
     EXPECT_TRUE(player.heard("Ball stopped by Border")) << player.news();
     EXPECT_GE(thuds(), 1);
+}
+
+TEST(Labyrinth, the_goal_rings_faster_when_the_ball_is_nearer) {
+    Player player("labyrinth1.map");
+    const auto rate = [&] {
+        const auto last = std::find_if(player.world_sounds.rbegin(), player.world_sounds.rend(),
+                                       [](const CueRequest& cue) { return cue.sound == SoundKind::Tolling; });
+        return last == player.world_sounds.rend() ? 0.0 : last->pulses_per_s;
+    };
+    player.run(0.5);
+    player.tap(Command::Use, 0.5);
+    std::vector<double> rates;
+    for (int i = 0; i < 8; ++i) {
+        player.tap(i < 4 ? Command::TurnRight : Command::Forward, 1.0);
+        if (rate() > 0.0) rates.push_back(rate());
+    }
+    ASSERT_GE(rates.size(), 2U);
+    EXPECT_GT(rates.back(), rates.front()) << fmt::format("{}", fmt::join(rates, " "));
+}
+
+TEST(Labyrinth, is_seen_from_above_and_arrows_move_the_camera_to_the_edge_while_nothing_is_held) {
+    Player player("labyrinth2.map");
+    const Vec3 feet_m = player.app.feet_m();
+    const auto view = [&] { return player.app.view(player.tool); };
+    EXPECT_EQ(view().pictures, Pictures::Plan);
+    ASSERT_TRUE(view().camera_m);
+    const Vec3 ball_m = *view().camera_m;
+    player.tap(Command::Forward, 0.5);
+    EXPECT_TRUE(player.heard("View: 1 roll north.")) << player.news();
+    EXPECT_GT(view().camera_m->y, ball_m.y + 0.1);
+    for (int i = 0; i < 40; ++i) player.tap(Command::TurnRight, 0.1);
+    EXPECT_TRUE(player.heard("Edge of the table in the east. View: ")) << player.news();
+    EXPECT_GT(player.count(SoundKind::Border), 0);
+    EXPECT_LT(view().camera_m->x, ball_m.x + 5.0);
+    EXPECT_LT(glm::length(player.app.feet_m() - feet_m), 1e-6) << "the person stays";
+    for (int i = 0; i < 40; ++i) player.tap(Command::TurnLeft, 0.1);
+    for (int i = 0; i < 40; ++i) player.tap(Command::Back, 0.1);
+    EXPECT_TRUE(player.heard("Edge of the table in the west.") && player.heard("Edge of the table in the south."));
+    player.tap(Command::Use, 0.5);
+    player.tap(Command::TurnRight, 1.0);
+    EXPECT_NEAR(view().camera_m->x, ball_m.x + 0.2, 0.08) << "the camera follows the ball again";
+    player.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, player.now);
+    player.run(0.1);
+    EXPECT_EQ(view().pictures, Pictures::Both);
+    EXPECT_FALSE(view().camera_m);
+    player.walk(1.0);
+    EXPECT_GT(glm::length(player.app.feet_m() - feet_m), 0.5) << "elsewhere, arrows walk";
+}
+
+TEST(Labyrinth, camera_names_what_is_under_it) {
+    Player player("labyrinth2.map");
+    for (int i = 0; i < 4; ++i) player.tap(Command::TurnRight, 0.1);
+    EXPECT_TRUE(player.heard("Hole.")) << player.news();
+}
+
+TEST(Labyrinth, fourth_level_is_finished_over_the_see_saw_which_tips_under_the_ball) {
+    Player player("labyrinth4.map");
+    EXPECT_TRUE(player.heard("Labyrinth 4.")) << player.news();
+    const Scene& scene = *player.app.scene();
+    const int plank = find_placed(scene, "See-saw");
+    ASSERT_GE(plank, 0);
+    // Returns how much higher the eastern end of the plank is than its western end, per metre.
+    const auto tilt = [&] {
+        return PlacedFrame(player.app.world().things.at(static_cast<std::size_t>(plank))).axes[0].z;
+    };
+    player.tap(Command::Use, 0.5);
+    ASSERT_TRUE(player.heard("Ball held"));
+    const double before = tilt();
+    double lowest = before;
+    for (int i = 0; i < 13; ++i) {
+        player.tap(Command::TurnRight, 1.0);
+        lowest = std::min(lowest, tilt());
+    }
+    EXPECT_LT(lowest, before - 0.2) << "it tips by more than ten degrees";
+    EXPECT_NEAR(tilt(), before, 0.05) << "it tips back behind the ball";
+    player.taps(Command::Forward, 6);
+    player.taps(Command::TurnLeft, 13);
+    EXPECT_TRUE(player.heard("Finished")) << player.news();
+}
+
+TEST(RubberStrings, of_the_demonstration_world_hold_their_balls_and_pull_them_back) {
+    test::AppSession person;
+    person.app.apply(WorldEntered{make_ready(test::our_world("strings.map"))}, 0.0);
+    person.run(2.0);
+    const auto at = [&](const char* name) { return person.app.thing_at(name)->position_m; };
+    constexpr double kHooks_m = 2.0;
+    for (const auto& [name, kg, n_per_m] : {std::tuple("Soft ball", 0.3, 10.0), std::tuple("Middle ball", 0.6, 40.0),
+                                            std::tuple("Hard ball", 1.2, 160.0)}) {
+        ASSERT_TRUE(person.app.thing_at(name)) << name;
+        EXPECT_NEAR(at(name).z, kHooks_m - kg * 9.81 / n_per_m, 0.02) << name << " hangs at rest";
+    }
+    const Vec3 rests = at("Middle ball");
+    person.walk(3.0);
+    EXPECT_GT(glm::length(at("Middle ball") - rests), 0.05) << "the walker pushes it";
+    person.hold(Command::Back, 2.0);
+    person.run(30.0);
+    EXPECT_LT(glm::length(at("Middle ball") - rests), 0.05) << "the string brings it back";
 }
 
 // Puts the plank over the hole, and rolls the ball over the plank.
