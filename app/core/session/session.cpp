@@ -129,10 +129,10 @@ std::string Session::entering_text() const {
     std::string first = named_large
                             ? phrase("session.world_of_size", {{"world", world}, {"wide", size.x}, {"deep", size.y}})
                             : world + ".";
-    std::string hints =
-        phrase(state_.hands.right.present && !state_.hands.right.simulated ? "session.begin_with_hand"
-                                                                           : "session.begin_with_keys") +
-        " " + phrase("session.where_help_is");
+    const bool hand = state_.hands.right.present && !state_.hands.right.simulated;
+    std::string hints = phrase("session.where_help_is");
+    // In a labyrinth, the arrow keys do not walk; the game says what they do.
+    if (!shown_.game) hints = phrase(hand ? "session.begin_with_hand" : "session.begin_with_keys") + " " + hints;
     const std::size_t rest = kMostOnEntering - std::min(kMostOnEntering, count_words(first) + count_words(hints));
     return first + " " + where_.queries.where_am_i(std::min(rest, Queries::kMostWords)) + " " + hints;
 }

@@ -179,6 +179,7 @@ TEST(Labyrinth, is_seen_from_above_and_arrows_move_the_camera_to_the_edge_while_
     const Vec3 feet_m = player.app.feet_m();
     const auto view = [&] { return player.app.view(player.tool); };
     EXPECT_EQ(view().pictures, Pictures::Plan);
+    EXPECT_FALSE(player.heard("to walk")) << player.news();
     ASSERT_TRUE(view().camera_m);
     const Vec3 ball_m = *view().camera_m;
     player.tap(Command::Forward, 0.5);
