@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "app/core/kept/kept_unit.h"
+#include "app/core/kept/labels.h"
 #include "app/core/kept/made_doors.h"
 #include "app/core/kept/side_file.h"
 #include "app/core/kept/world_shelf.h"
@@ -128,7 +129,10 @@ core::RoutesKeeper navigation_in_cache() {
 Scene mended(Scene scene, const fs::path& world, const CommonArguments& common) {
     const std::vector<MadeDoor> doors = core::kept_doors(
         kept_by(world), common.data_folder(), !common.data_in.empty() || is_shipped(world), toml_next_to_worlds());
-    return doors.empty() ? std::move(scene) : with_made_doors(std::move(scene), doors);
+    if (!doors.empty()) scene = with_made_doors(std::move(scene), doors);
+    return core::with_labels(std::move(scene),
+                             core::kept_labels(kept_by(world), common.data_folder(),
+                                               !common.data_in.empty() || is_shipped(world), toml_next_to_worlds()));
 }
 
 Result<Scene> mended_and_valid(Result<importing::ImportedWorld> read, const fs::path& world,

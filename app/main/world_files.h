@@ -51,9 +51,9 @@ core::RoutesKeeper navigation_in_cache();
 // If the request contains no unit, returns it with the unit that a person has stated for this world before. See
 // keep_unit. Any thread may call it.
 core::WorldRequest with_kept_unit(core::WorldRequest request, const CommonArguments& common);
-// Returns the scene with the doors that a person has marked as missing from the world's file. The marks are in the data
-// folder of `common`, which is the user's or a learner's. Without such marks, the scene does not change. Any thread may
-// call it.
+// Returns the scene with the doors that a person has marked as missing from the world's file, and with the labels that
+// a person has given to things. They are in the data folder of `common`, which is the user's or a learner's. Without
+// them, the scene does not change. Any thread may call it.
 Scene mended(Scene scene, const std::filesystem::path& world, const CommonArguments& common);
 // Returns the imported world `read` in the form that commands need: with the missing doors added, and checked by
 // validate(). Any thread may call it.

@@ -86,6 +86,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::RestOfRoute, "rest-of-way", "Alt+R", false},
     CommandInfo{Command::FaceRoute, "face-way", "Shift+Z", false},
     CommandInfo{Command::NameRoom, "name-room", "Control+N", false},
+    CommandInfo{Command::Label, "label", "Alt+E", false},
     CommandInfo{Command::KeptRoutes, "ways", "Control+7", false},
     CommandInfo{Command::KeepRoute, "keep-way", "Control+8", false},
     CommandInfo{Command::PlanView, "plan", "F3", false},

@@ -86,6 +86,7 @@ enum class Command : std::uint8_t {
     RestOfRoute,
     FaceRoute,   // turns the walker to the direction of the announced leg
     NameRoom,    // the person types a name for the present room
+    Label,       // gives the thing under the hand, or ahead, another name, kind or material
     KeptRoutes,  // opens a list of the saved routes
     KeepRoute,   // saves the route planned or walked last under a name
     PlanView,    // chooses which pictures the window shows

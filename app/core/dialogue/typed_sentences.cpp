@@ -89,10 +89,12 @@ std::optional<Command> command_apart(const std::vector<TypedWord>& words) {
 
 }  // namespace
 
+bool takes_text(Command command) { return command == Command::Label; }
+
 bool takes_choice(Command command) {
-    return is_one_of(command,
-                     {Command::Describe, Command::Routes, Command::Find, Command::KeptRoutes, Command::LearntRooms,
-                      Command::Storeys, Command::Learners, Command::Presets, Command::Places});
+    return takes_text(command) || is_one_of(command, {Command::Describe, Command::Routes, Command::Find,
+                                                      Command::KeptRoutes, Command::LearntRooms, Command::Storeys,
+                                                      Command::Learners, Command::Presets, Command::Places});
 }
 
 std::string without_fillers(std::string_view typed) { return name_from(typed_words(typed), 0, {}); }

@@ -25,8 +25,10 @@ inline constexpr int kMostTimes = 1000;  // most repetitions that a person can t
 // may be words.
 std::optional<TypedSentence> typed_sentence(std::string_view line);
 
-// Returns true if the command opens a list of places in which the person can choose by name.
+// Returns true if the command opens a list of places in which the person can choose by name, or takes a text.
 bool takes_choice(Command command);
+// Returns true if what follows the command is a text instead of a name in a list.
+bool takes_text(Command command);
 
 // Removes leading words such as "to" and "the" from the name that a person typed to choose a thing. Returns the whole
 // text if nothing else would be left.

@@ -170,6 +170,21 @@ fs::path kept_name(const fs::path& path) {
     return {};
 }
 
+// Returns the content of the side file of `world`, or an empty table.
+settings::TomlValue peek_root(const fs::path& world, const fs::path& data_folder, bool shipped,
+                              const settings::TomlReader& toml) {
+    const fs::path near = beside(world), far = data_folder.empty() ? fs::path() : in_data_folder(world, data_folder);
+    for (const fs::path& from : {shipped ? far : near, shipped ? near : far}) {
+        if (from.empty() || !is_there(from) || is_link(from)) continue;
+        Result<settings::TomlValue> read = toml(read_whole_file(from, kLongestFile_bytes).value_or(""));
+        if (read) return std::move(*read);
+        // Nothing is announced here, because SideFile::of_world reports the damage. If the parser cannot tell what the
+        // file contains, the other file is tried, as in of_world.
+        if (read.error().line > 0) break;
+    }
+    return settings::TomlValue::empty_table();
+}
+
 }  // namespace
 
 struct SideFile::Content {
@@ -371,22 +386,25 @@ std::string SideFile::checksum_of_world(const fs::path& world) {
 
 SideEntry SideFile::peek(const fs::path& world, const fs::path& data_folder, bool shipped, const std::string& name,
                          const settings::TomlReader& toml) {
-    const fs::path near = beside(world), far = data_folder.empty() ? fs::path() : in_data_folder(world, data_folder);
-    for (const fs::path& from : {shipped ? far : near, shipped ? near : far}) {
-        if (from.empty() || !is_there(from) || is_link(from)) continue;
-        const Result<settings::TomlValue> read = toml(read_whole_file(from, kLongestFile_bytes).value_or(""));
-        if (read) return table_in(read->find(name));
-        // Nothing is announced here, because SideFile::of_world reports the damage. If the parser cannot tell what the
-        // file contains, the other file is tried, as in of_world.
-        if (read.error().line > 0) return {};
-    }
-    return {};
+    const settings::TomlValue root = peek_root(world, data_folder, shipped, toml);
+    return table_in(root.find(name));
 }
 
+std::vector<SideEntry> SideFile::peek_entries(const fs::path& world, const fs::path& data_folder, bool shipped,
+                                              const std::string& name, const settings::TomlReader& toml) {
+    const settings::TomlValue root = peek_root(world, data_folder, shipped, toml);
+    return entries_in(root.find(name));
+}
+
+// Errors in the text are ignored in these two, because SideFile::of_world reports them.
 SideEntry SideFile::table_of_text(const std::string& text, const std::string& name) {
     const Result<settings::TomlValue> read = settings::toml_of(text);
-    // Errors are ignored here, because SideFile::of_world reports them.
     return read ? table_in(read->find(name)) : SideEntry{};
+}
+
+std::vector<SideEntry> SideFile::entries_of_text(const std::string& text, const std::string& name) {
+    const Result<settings::TomlValue> read = settings::toml_of(text);
+    return read ? entries_in(read->find(name)) : std::vector<SideEntry>{};
 }
 
 const std::vector<std::string>& SideFile::news() const { return content_->news; }

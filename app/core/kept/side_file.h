@@ -85,9 +85,15 @@ public:
     static SideEntry peek(const std::filesystem::path& world, const std::filesystem::path& data_folder, bool shipped,
                           const std::string& name, const settings::TomlReader& toml = settings::toml_of);
 
-    // Returns the table [name] in the text of a side file. The result is empty if the text has no such table or is
-    // damaged. Any thread may call this function.
+    // Returns the [[name]] tables of the side file of `world`, with the same rules.
+    static std::vector<SideEntry> peek_entries(const std::filesystem::path& world,
+                                               const std::filesystem::path& data_folder, bool shipped,
+                                               const std::string& name, const settings::TomlReader& toml);
+
+    // Return the table [name] or the [[name]] tables in the text of a side file. The result is empty if the text has no
+    // such table or is damaged. Any thread may call these functions.
     static SideEntry table_of_text(const std::string& text, const std::string& name);
+    static std::vector<SideEntry> entries_of_text(const std::string& text, const std::string& name);
 
     // Returns one sentence for each part of the file that could not be read, worded for speech.
     const std::vector<std::string>& news() const;

@@ -7,9 +7,7 @@
 #include "app/core/context/context_words.h"
 #include "app/core/dialogue/words.h"
 #include "app/core/kept/kept_unit.h"
-#include "app/core/kept/landmarks.h"
 #include "app/core/kept/made_doors.h"
-#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
@@ -48,24 +46,6 @@ std::shared_ptr<const Scene> with_landmarks_of(const std::shared_ptr<const Scene
 
 }  // namespace
 
-FaultList::FaultList(const SessionContext& context, WorldState& world, Rooms& rooms)
-    : SessionPart(context), world_(world), rooms_(rooms) {}
-
-void FaultList::enter_world() {
-    looking_.give_up();
-    world_.scene = with_landmarks(world_.scene, read_landmarks(context_.additions, unreadable_));
-}
-
-void FaultList::take_again() {
-    enter_world();
-    world_.movers.follow(world_.scene->movers);
-}
-
-void FaultList::announce_unreadable(double now_s) const {
-    if (!unreadable_.empty())
-        context_.say(unreadable_words("landmarks.unreadable", unreadable_), cues::SpeechClass::Answer, now_s);
-}
-
 void FaultList::open(double now_s) {
     // If the world has no rooms and routes, the check runs without them, because what prevents them is the fault to
     // correct.
@@ -73,7 +53,7 @@ void FaultList::open(double now_s) {
     if (known || rooms_.awaited())
         if (!rooms_.have(now_s)) return;
     std::vector<bool> landmarks;
-    for (const Feature& feature : world_.scene->features) landmarks.push_back(feature.landmark);
+    for (const Feature& feature : context_.world.scene->features) landmarks.push_back(feature.landmark);
     BackgroundTask<std::shared_ptr<const Found>>::Work work =
         [file = rooms_.file_scene(), navigation = known ? rooms_.navigation_kept() : nullptr,
          graph = known ? rooms_.graph() : navigation::RoomGraph(), landmarks = std::move(landmarks),
@@ -146,7 +126,7 @@ void FaultList::show_one(const std::shared_ptr<const Found>& found, std::size_t 
             });
     for (const FeatureId id : fault.candidates)
         add(phrase("faults.mark", {{"name", one_line(spoken_name(found->scene->features[id.value]))}}),
-            [this, id](double then_s) { mark_landmark(id, then_s); });
+            [this, id](double then_s) { on_landmark(id, then_s); });
     for (const check::MissingDoor& missing : found->doors[which]) {
         if (missing.to >= graph.rooms.size() || fault.room >= graph.rooms.size()) continue;
         MadeDoor door = missing.door;
@@ -200,19 +180,6 @@ void FaultList::take_door_away(const MadeDoor& door, double now_s) {
     if (!context_.session_requests.save_additions(now_s)) return;
     context_.requests.read_again = true;
     context_.answer(phrase("faults.door_gone", {{"between", one_line(door.name)}}), now_s);
-}
-
-void FaultList::mark_landmark(FeatureId id, double now_s) {
-    const Feature* feature = world_.scene->find(id);
-    contract_pre(feature != nullptr);
-    if (!feature) return;
-    keep_landmark(context_.additions, *feature);
-    auto changed = std::make_shared<Scene>(*world_.scene);
-    changed->features[id.value].landmark = true;
-    world_.scene = std::move(changed);
-    world_.movers.follow(world_.scene->movers);
-    context_.keep_and_answer(
-        phrase("faults.marked", {{"name", one_line(spoken_name(world_.scene->features[id.value]))}}), now_s);
 }
 
 }  // namespace handrail::core

@@ -19,22 +19,18 @@ namespace handrail::core {
 
 class FaultList : SessionPart {
 public:
-    FaultList(const SessionContext& context, WorldState& world, Rooms& rooms);
+    FaultList(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
-    // Adds the landmarks that the person has marked to the scene.
-    void enter_world();
-    // Announces the stored landmarks that could not be read.
-    void announce_unreadable(double now_s) const;
-    // Reads the landmarks again. Call it when another session has changed the landmarks in the side file.
-    void take_again();
+    void enter_world() { looking_.give_up(); }
     // Opens the list now, or later when the faults have been found. If that is impossible, announces why.
     void open(double now_s);
     void tick(double now_s);
     // Returns true if no list is being prepared.
     bool idle() const { return !looking_.busy(); }
 
-    // The session sets this function, which finds a place or goes to it.
+    // The session sets these functions. on_find finds a place or goes to it; on_landmark marks a thing as a landmark.
     std::function<void(const Goal& goal, double now_s)> on_find;
+    std::function<void(FeatureId thing, double now_s)> on_landmark;
 
 private:
     struct Found {
@@ -46,14 +42,11 @@ private:
     void show(const std::shared_ptr<const Found>& found, double now_s);
     void show_one(const std::shared_ptr<const Found>& found, std::size_t which, double now_s);
     void show_made_door(const MadeDoor& door, double now_s);
-    void mark_landmark(FeatureId feature, double now_s);
     void make_door(const MadeDoor& door, double now_s);
     void take_door_away(const MadeDoor& door, double now_s);
     void take_unit(double metres, double now_s);
 
-    WorldState& world_;
     Rooms& rooms_;
-    std::vector<Error> unreadable_;
     BackgroundTask<std::shared_ptr<const Found>> looking_{context_.executor, "faults", context_.arrivals};
 };
 

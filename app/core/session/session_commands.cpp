@@ -41,6 +41,7 @@ struct Session::Carriers {
     static bool climbs(Session& s, Command c, double now_s, int) { return s.where_.climbs.act(c, now_s); }
     static bool doors(Session& s, Command c, double now_s, int) { return s.movers_.doors.act(c, now_s); }
     static bool marks(Session& s, Command c, double now_s, int) { return s.places_.marks.act(c, now_s); }
+    static bool labels(Session& s, Command c, double now_s, int) { return s.places_.labels.act(c, now_s); }
     static bool ways(Session& s, Command c, double now_s, int) { return s.places_.ways.act(c, now_s); }
     static bool guide(Session& s, Command c, double now_s, int) { return s.guide_.act(c, now_s); }
     static bool menu(Session& s, Command c, double now_s, int) { return s.menu_.act(c, now_s); }
@@ -119,6 +120,7 @@ struct Session::Carriers {
         Row{Command::RestOfRoute, {}, {guide}},
         Row{Command::FaceRoute, {}, {guide}},
         Row{Command::NameRoom, {}, {rooms}},
+        Row{Command::Label, {}, {labels}},
         Row{Command::KeptRoutes, {}, {ways}},
         Row{Command::KeepRoute, {}, {ways}},
         Row{Command::PlanView, {}, {itself}},

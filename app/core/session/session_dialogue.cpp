@@ -103,8 +103,9 @@ std::optional<Session::Wish> Session::wish_in(std::string_view line) const {
     if (parsed && !choice && (parsed->leave || parsed->command)) return std::nullopt;
     // A person who types the word of a command wants its list, for example of the ways to find a thing. A route has
     // only one meaning.
-    const bool by_word = choice && parsed->command != Command::Routes &&
-                         command_of_word(line.substr(0, line.find_first_of(" \t"))) == parsed->command;
+    const bool by_word =
+        choice && parsed->command != Command::Routes &&
+        (takes_text(*parsed->command) || command_of_word(line.substr(0, line.find_first_of(" \t"))) == parsed->command);
     if (!by_word && questions_.answers.knows(line)) return Wish{};
     return choice ? std::optional(Wish{parsed->command, parsed->choice}) : std::nullopt;
 }
@@ -114,7 +115,8 @@ void Session::grant(const Wish& wish, std::string_view line, double now_s) {
     quiet(now_s);
     where_.rooms.take_refused();  // Forgets refusals to other callers.
     questions_.too_early.reset();
-    if (wish.command) choose(*wish.command, wish.choice, now_s);
+    if (wish.command == Command::Label) places_.labels.take_text(wish.choice, now_s);
+    else if (wish.command) choose(*wish.command, wish.choice, now_s);
     else questions_.answers.answer(line, now_s);
     if (questions_.too_early || where_.rooms.take_refused())
         questions_.too_early = Questions::TooEarly{{}, std::string(line), now_s};

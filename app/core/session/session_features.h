@@ -19,6 +19,7 @@
 #include "app/core/movers/triggers.h"
 #include "app/core/places/fault_list.h"
 #include "app/core/places/kept_routes.h"
+#include "app/core/places/label_list.h"
 #include "app/core/places/mark_list.h"
 #include "app/core/places/no_route_reason.h"
 #include "app/core/places/prepare_lesson.h"
@@ -104,11 +105,13 @@ struct PlacesFeatures {
     PlacesFeatures(SessionState& state, Rooms& rooms, const PlannedStops& planned)
         : marks(state.context, state.world.marks),
           ways(state.context, rooms, planned),
-          faults(state.context, state.world, rooms),
+          labels(state.context, state.world),
+          faults(state.context, rooms),
           why_no_route(state.context, rooms),
           lesson(state.context, rooms) {}
     MarkList marks;
     KeptRoutes ways;
+    LabelList labels;
     FaultList faults;
     NoRouteReason why_no_route;
     PrepareLesson lesson;

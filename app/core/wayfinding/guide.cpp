@@ -7,6 +7,7 @@
 
 #include "app/core/context/context_words.h"
 #include "app/core/context/kinds_first.h"
+#include "app/core/context/thing_here.h"
 #include "app/core/wayfinding/find_list.h"
 #include "app/core/wayfinding/hand_path.h"
 #include "app/core/wayfinding/place_table.h"
@@ -21,7 +22,6 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kLookRange_m = 30.0;
 constexpr double kNoRoute_m = 1e6;  // a distance larger than any distance on foot
 // At most this many routes are planned for a list; each plan costs some milliseconds.
 constexpr std::size_t kMostOnFoot = 16;
@@ -330,23 +330,13 @@ void Guide::tell_beacon(double now_s) { context_.announce(cues::SpeechTopic::Sum
 // Puts the beacon on what the hand touches, or else on what is straight ahead. If there is neither, the person chooses
 // from a list.
 void Guide::beacon_here(double now_s) {
-    const servo::ToolState& tool = context_.hands.tool;
-    FeatureId id = kNoFeature;
-    Vec3 place{0.0};
-    if (context_.hands.answers() && tool.touches()) {
-        id = tool.touched();
-        place = tool.proxy_m;
-    } else if (const auto seen = look(*context_.world.solids, context_.avatar.feet_m(), kWaist_m,
-                                      context_.avatar.heading_rad, kLookRange_m)) {
-        id = seen->feature;
-        place = seen->point_m;
-    }
-    const Feature* feature = context_.world.scene->find(id);
-    if (!feature || feature->name.empty()) return open_find(now_s);
+    const auto here = thing_here(context_);
+    const Feature* feature = here ? context_.world.scene->find(here->id) : nullptr;
+    if (!feature) return open_find(now_s);
     const bool whole = !is_surface(feature->kind) && !feature->bounds_m.empty();
-    set_beacon(
-        {sentence_case(cues::speakable(spoken_name(*feature))), whole ? feature->bounds_m : point_box(place), id},
-        now_s);
+    set_beacon({sentence_case(cues::speakable(spoken_name(*feature))),
+                whole ? feature->bounds_m : point_box(here->place_m), here->id},
+               now_s);
 }
 
 void Guide::mute_beacon(double now_s) {

@@ -1,6 +1,6 @@
 // Tests the list of faults that somebody should correct in a world. A person goes from fault to fault with keys and
 // typed words, and corrects the faults in the list.
-#include "app/core/kept/landmarks.h"
+#include "app/core/kept/labels.h"
 #include "tests/support/map_text.h"
 #include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
@@ -58,7 +58,7 @@ TEST(FaultList, repairs_a_missing_name_and_a_missing_landmark_on_the_spot) {
     EXPECT_THAT(p.app().dialogue().view().items[0].name, HasSubstr("Kitchen has no landmark"));
     p.line("1");
     p.line("Mark Stove as a landmark");
-    EXPECT_TRUE(p.heard("Stove is now a landmark")) << p.all_heard(0);
+    EXPECT_TRUE(p.heard("Stove is labelled: a landmark")) << p.all_heard(0);
     const Scene& scene = *p.app().scene();
     EXPECT_EQ(std::count_if(scene.features.begin(), scene.features.end(), [](const Feature& f) { return f.landmark; }),
               1);
@@ -117,21 +117,23 @@ TEST(Landmarks, are_saved_in_the_side_file_and_restored_in_the_world) {
     ASSERT_NE(stove, scene->features.end());
     {
         SideFile file = SideFile::of_world(world, folder.path());
-        keep_landmark(file, *stove);
+        Label label = label_of(file, *stove);
+        label.kind = LabelKind::Landmark;
+        keep_label(file, label);
         ASSERT_TRUE(file.save().has_value());
     }
     const SideFile file = SideFile::of_world(world, folder.path());
     std::vector<Error> faults;
-    std::vector<LandmarkGiven> kept = read_landmarks(file, faults);
+    std::vector<Label> kept = read_labels(file, faults);
     EXPECT_TRUE(faults.empty());
     ASSERT_EQ(kept.size(), 1U);
-    EXPECT_EQ(kept[0].name, "Stove");
-    const auto marked = with_landmarks(scene, kept);
+    EXPECT_EQ(kept[0].thing, "Stove");
+    const auto marked = std::make_shared<const Scene>(with_labels(*scene, kept));
     EXPECT_TRUE(marked->features[static_cast<std::size_t>(stove - scene->features.begin())].landmark);
     EXPECT_FALSE(stove->landmark) << "the world itself stays as it is";
     kept[0].at_m.x += 1.0;  // After this change, there is no thing at the stored place.
-    EXPECT_EQ(with_landmarks(scene, kept), scene);
-    EXPECT_EQ(with_landmarks(marked, read_landmarks(file, faults)), marked) << "nothing is left to mark";
+    EXPECT_FALSE(changes(*scene, kept));
+    EXPECT_FALSE(changes(*marked, read_labels(file, faults))) << "nothing is left to mark";
 }
 
 TEST(Landmarks, that_are_unreadable_are_reported_and_stay_in_the_file) {
@@ -141,7 +143,7 @@ TEST(Landmarks, that_are_unreadable_are_reported_and_stay_in_the_file) {
                  "[[landmark]]\nname = \"Stove\"\n\n[[landmark]]\nplace_m = [1.0, 2.0, 3.0]\n");
     const SideFile file = SideFile::of_world(world, folder.path());
     std::vector<Error> faults;
-    EXPECT_TRUE(read_landmarks(file, faults).empty());
+    EXPECT_TRUE(read_labels(file, faults).empty());
     ASSERT_EQ(faults.size(), 2U);
     EXPECT_THAT(faults[0].sentence(), HasSubstr("line 1"));
     EXPECT_THAT(unreadable_words("landmarks.unreadable", faults), HasSubstr("1 more landmark cannot be read"));
