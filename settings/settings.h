@@ -125,6 +125,7 @@ struct Settings {
         // Number of periods of 256 samples that the sound device buffers, 2 to 8; takes effect at the next start.
         int periods = 2;
         std::string hrtf = "auto";  // OpenAL Soft's name of the HRTF data set; takes effect at the next start
+        std::string pack = "none";  // folder of a sound pack, or "none"; takes effect at the next start
         // Sound for headphones, filtered with an HRTF; false: plain stereo; takes effect at the next start.
         bool headphones = true;
         bool mono = false;  // plays everything in the middle, for one loudspeaker or one ear

@@ -100,6 +100,7 @@ const std::array kTable{
     SettingInfo{"sound.reverberation", "", kPersonOnly, NumberField{HANDRAIL_AT(sound.reverberation), 0.0, 1.0}},
     SettingInfo{"sound.periods", "", kPersonOnly, WholeField{HANDRAIL_AT(sound.periods), 2, 8}},
     SettingInfo{"sound.hrtf", "", kPersonOnly, TextField{HANDRAIL_AT(sound.hrtf)}},
+    SettingInfo{"sound.pack", "", kPersonOnly, TextField{HANDRAIL_AT(sound.pack)}},
     SettingInfo{"sound.headphones", "", kPersonOnly, SwitchField{HANDRAIL_AT(sound.headphones)}},
     SettingInfo{"sound.mono", "", kPersonOnly, SwitchField{HANDRAIL_AT(sound.mono)}},
     SettingInfo{"sound.behind", "", kPersonOnly, SwitchField{HANDRAIL_AT(sound.behind)}},

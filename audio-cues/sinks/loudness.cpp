@@ -49,7 +49,10 @@ double momentary_lufs(std::span<const float> samples) {
 }
 
 std::vector<float> levelled_sound(cues::SoundKind kind, SoundClass material) {
-    std::vector<float> samples = synthesise(kind, material);
+    return levelled_sound(kind, synthesise(kind, material));
+}
+
+std::vector<float> levelled_sound(cues::SoundKind kind, std::vector<float> samples) {
     const settings::Settings::Sound at_first;
     const double wanted_lufs =
         cues::loudness_of(cues::rank_of(kind)) - 20.0 * std::log10(at_first.*cues::info(kind).volume);

@@ -16,6 +16,8 @@ double momentary_lufs(std::span<const float> samples);
 // Returns the samples of synthesise() with the loudness of the sound's rank, at the volume of a new settings file. A
 // sound that is too short for that loudness stays quieter, so that no sample exceeds kMostPeak.
 std::vector<float> levelled_sound(cues::SoundKind kind, SoundClass material);
+// Returns other samples for the same sound, such as those of a sound pack, with the same loudness.
+std::vector<float> levelled_sound(cues::SoundKind kind, std::vector<float> samples);
 inline constexpr double kMostPeak = 1.2;
 
 }  // namespace handrail::sinks

@@ -30,7 +30,8 @@ struct OpenALSink::Impl {
     Impl(const Options& requested, std::shared_ptr<VoiceChannel> channel)
         : options(requested),
           device(requested.device, requested.hrtf, requested.hrtf_set),
-          voices(hearing, room, kMostSounds),
+          pack(requested.pack == "none" ? SoundPack{} : read_sound_pack(requested.pack)),
+          voices(hearing, room, pack, kMostSounds),
           speech(std::move(channel)),
           mix(device, requested.on_render) {}
     ~Impl() { close(); }
@@ -41,6 +42,7 @@ struct OpenALSink::Impl {
     Listening hearing;
     OpenALDevice device;
     OpenALRoom room;
+    SoundPack pack;
     OpenALVoices voices;
     OpenALSpeech speech;
     LoopbackMix mix;
@@ -151,6 +153,8 @@ Result<std::unique_ptr<OpenALSink>> OpenALSink::open(std::shared_ptr<VoiceChanne
     }
     if (!impl->device.has_wanted_hrtf())
         impl->news = phrase("sound_output.no_such_hrtf", {{"wanted", options.hrtf_set}});
+    if (const std::vector<Error>& faults = impl->pack.faults; !faults.empty())
+        impl->news = phrase("sound_pack.faults", {{"fault", faults.front().sentence()}, {"more", faults.size() - 1}});
     return std::unique_ptr<OpenALSink>(new OpenALSink(std::move(impl)));
 }
 

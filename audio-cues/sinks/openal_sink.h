@@ -32,6 +32,7 @@ public:
         bool hrtf = true;         // use head-related filters; false: plain stereo, for loudspeakers
         // Part of the name of a set of head-related filters that OpenAL Soft finds, or "auto".
         std::string hrtf_set = "auto";
+        std::string pack = "none";  // folder of a sound pack (sound_pack.h), or "none"
         std::function<bool()> still_connected =
             {};  // Replaces the device's own report of whether it is connected, so that a test can simulate unplugging.
         std::function<void(int)> on_render =

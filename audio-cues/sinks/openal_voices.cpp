@@ -58,7 +58,10 @@ bool is_in_room(cues::SoundKind kind) {
 ALuint OpenALVoices::buffer_of(const cues::SoundCue& cue) {
     ALuint& buffer = buffers_[sound_index(cue.kind, cue.material)];
     if (buffer == 0) {
-        const std::vector<float> samples = levelled_sound(cue.kind, cue.material);
+        const std::span<const float> own = pack_.find(cue.kind, cue.material);
+        const std::vector<float> samples = own.empty()
+                                               ? levelled_sound(cue.kind, cue.material)
+                                               : levelled_sound(cue.kind, std::vector<float>(own.begin(), own.end()));
         alGenBuffers(1, &buffer);
         alBufferData(buffer, AL_FORMAT_MONO_FLOAT32, samples.data(),
                      static_cast<ALsizei>(samples.size() * sizeof(float)), kSampleRate_hz);

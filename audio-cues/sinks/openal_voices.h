@@ -12,6 +12,7 @@
 
 #include "audio-cues/plan/cue_planner.h"
 #include "audio-cues/sinks/openal_room.h"
+#include "audio-cues/sinks/sound_pack.h"
 #include "audio-cues/sinks/synth.h"
 #include "settings/settings.h"
 
@@ -56,8 +57,9 @@ public:
     // In this order: WallTone, Slide of each hand, then the world's loops.
     using Loops = std::array<SinkVoice, kOwnLoops + kWorldVoices>;
 
-    // `hearing` and `room` must outlive this object. `most` is the number of sounds that can be heard at once.
-    OpenALVoices(const Listening& hearing, OpenALRoom& room, int most) : hearing_(hearing), room_(room), most_(most) {}
+    // `hearing`, `room` and `pack` must outlive this object. `most` is the number of sounds that can be heard at once.
+    OpenALVoices(const Listening& hearing, OpenALRoom& room, const SoundPack& pack, int most)
+        : hearing_(hearing), room_(room), pack_(pack), most_(most) {}
 
     // Call load_filters() first; it returns false if OpenAL lacks the extension. Then call make_sources().
     bool load_filters(ALCdevice* device);
@@ -93,6 +95,7 @@ private:
 
     const Listening& hearing_;
     OpenALRoom& room_;
+    const SoundPack& pack_;
     int most_;
     LPALGENFILTERS gen_filters_ = nullptr;
     LPALDELETEFILTERS delete_filters_ = nullptr;

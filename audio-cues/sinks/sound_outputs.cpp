@@ -41,9 +41,10 @@ SoundOutputs open_sound_outputs(const settings::Settings& settings, int text_fd,
     if (reader) voices.push_back(std::make_unique<ReaderVoice>(std::move(reader)));
     voices.push_back(std::make_unique<SpeechdSpeech>(settings.speech));
     const auto channel = std::make_shared<VoiceChannel>();
-    if (auto opened = OpenALSink::open(
-            channel,
-            {.periods = settings.sound.periods, .hrtf = settings.sound.headphones, .hrtf_set = settings.sound.hrtf});
+    if (auto opened = OpenALSink::open(channel, {.periods = settings.sound.periods,
+                                                 .hrtf = settings.sound.headphones,
+                                                 .hrtf_set = settings.sound.hrtf,
+                                                 .pack = settings.sound.pack});
         !opened) {
         outputs.audio =
             std::make_unique<SilentAudio>(phrase("sound_output.no_sound", {{"problem", opened.error().sentence()}}));
