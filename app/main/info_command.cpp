@@ -431,6 +431,8 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     compile::CompileOptions felt =
         compile::exploring(core::felt_rounding_m(defaults.haptic.edge_rounding_mm, felt_scale, proxy_radius_m), 0,
                            defaults.haptic.mesh_tolerance_mm * 1e-3 * felt_scale);
+    felt.own_rounding =
+        core::felt_own_rounding(*entered.scene, defaults.haptic.edge_rounding_mm, felt_scale, proxy_radius_m);
     felt.simplifies = [&](FeatureId feature, std::size_t triangles) {
         progress.at(phrase("progress.simplify",
                            {{"name", spoken_name(entered.scene->features[feature.value])}, {"triangles", triangles}}));

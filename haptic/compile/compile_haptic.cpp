@@ -8,6 +8,7 @@
 
 #include "worlds/base/contract.h"
 #include "worlds/base/overloaded.h"
+#include "worlds/scene/groups.h"
 
 namespace handrail::compile {
 namespace {
@@ -224,11 +225,11 @@ void add_soft_solid(render::HapticSceneBuilder& builder, const Solid& solid) {
 }
 
 // Returns one rounded solid for each solid, or an empty vector if edges stay sharp.
-std::vector<RoundedSolid> rounded_solids(const Scene& scene, double radius_m, const std::stop_token& stop,
-                                         CompileReport& report) {
-    if (!(radius_m > 0.0)) return {};
+std::vector<RoundedSolid> rounded_solids(const Scene& scene, double radius_m, const OwnRounding& own,
+                                         const std::stop_token& stop, CompileReport& report) {
+    if (!(radius_m > 0.0) && !(own.world_m_per_hand_m > 0.0)) return {};
     RoundingReport done;
-    std::vector<RoundedSolid> solids = round_edges(scene, radius_m, done, stop);
+    std::vector<RoundedSolid> solids = round_edges(scene, radius_m, done, stop, own);
     report.rounding += done;
     return solids;
 }
@@ -240,8 +241,10 @@ std::shared_ptr<const render::HapticScene> compile_model(const PlacedModel& plac
     const Scene& model = *placed.model;
     const render::SurfaceLabel label{placed.feature, placed.material, false};
     render::HapticSceneBuilder builder;
-    const std::vector<RoundedSolid> rounded =
-        rounded_solids(model, options.edge_rounding_m / placed.at.scale, options.stop, report);
+    const std::vector<RoundedSolid> rounded = rounded_solids(
+        model, options.edge_rounding_m / placed.at.scale,
+        {options.own_rounding.world_m_per_hand_m / placed.at.scale, options.own_rounding.most_m / placed.at.scale},
+        options.stop, report);
     for (std::size_t i = 0; i < model.solids.size(); ++i)
         if (model.solids[i].role == SolidRole::Solid || model.solids[i].role == SolidRole::Mover)
             add_touchable(builder, model.solids[i], std::span(&label, 1), rounded.empty() ? nullptr : &rounded[i]);
@@ -255,7 +258,7 @@ std::shared_ptr<const render::HapticScene> compile_model(const PlacedModel& plac
 CompileOptions exploring(double edge_rounding_m, std::uint32_t world, double mesh_tolerance_m) {
     contract_pre(edge_rounding_m >= 0.0);
     contract_pre(mesh_tolerance_m >= 0.0);
-    CompileOptions options{MaterialSource::Library, world, MeshOptions{}, true, edge_rounding_m, {}, {}};
+    CompileOptions options{MaterialSource::Library, world, MeshOptions{}, true, edge_rounding_m, {}, {}, {}};
     options.mesh.simplify_m = mesh_tolerance_m;
     options.mesh.simplify_from = kDenseFrom;
     return options;
@@ -276,9 +279,11 @@ std::shared_ptr<const render::HapticScene> compile_haptic(const Scene& scene, Ma
     return compile_haptic(scene, options);
 }
 
-std::shared_ptr<const render::HapticScene> compile_haptic(const Scene& scene, const CompileOptions& options,
+std::shared_ptr<const render::HapticScene> compile_haptic(const Scene& whole, const CompileOptions& options,
                                                           CompileReport* report) {
     contract_pre(options.edge_rounding_m >= 0.0 && std::isfinite(options.edge_rounding_m));
+    const std::optional<Scene> without_hidden = without_hidden_groups(whole);
+    const Scene& scene = without_hidden ? *without_hidden : whole;
     CompileReport done;
     std::vector<render::HapticMaterial> compiled;
     compiled.reserve(scene.materials.size());
@@ -288,7 +293,8 @@ std::shared_ptr<const render::HapticScene> compile_haptic(const Scene& scene, co
     render::HapticSceneBuilder builder(std::move(compiled));
     if (std::vector<render::Relief> list = reliefs.take(); !list.empty())
         builder.set_reliefs(std::move(list), mesh_axes(scene));
-    const std::vector<RoundedSolid> rounded = rounded_solids(scene, options.edge_rounding_m, options.stop, done);
+    const std::vector<RoundedSolid> rounded =
+        rounded_solids(scene, options.edge_rounding_m, options.own_rounding, options.stop, done);
     for (std::size_t i = 0; i < scene.solids.size(); ++i) {
         if (options.stop.stop_requested()) return nullptr;
         const Solid& solid = scene.solids[i];
@@ -311,6 +317,7 @@ std::shared_ptr<const render::HapticScene> compile_haptic(const Scene& scene, co
     add_triangles(builder, scene.triangles, nullptr, 1.0, options, done);
     for (const PlacedModel& placed : scene.placed) {
         if (options.stop.stop_requested()) return nullptr;
+        // A hidden thing stays in the list, so that the numbers of the bodies stay the same, but it has no surface.
         builder.add_body(placed.feature, compile_model(placed, options, done), placed.at);
     }
     if (options.stop.stop_requested()) return nullptr;

@@ -33,6 +33,8 @@ struct CompileOptions {
     bool shade_meshes = false;
     // Radius of the convex edges of solids in world metres (round_edges.h); 0: sharp, at no cost.
     double edge_rounding_m = 0.0;
+    // How solids with a radius of their own are rounded.
+    OwnRounding own_rounding = {};
     // Another thread requests a stop if the scene is no longer needed. compile_haptic() then soon returns null.
     std::stop_token stop;
     // compile_haptic() calls it before it simplifies a dense mesh, which may take seconds.

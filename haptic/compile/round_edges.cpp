@@ -64,10 +64,11 @@ double thickness_m(const ConvexSolid& solid) {
 
 class Rounder {
 public:
-    Rounder(const Scene& scene, double radius_m, const std::stop_token& stop)
+    Rounder(const Scene& scene, double radius_m, const OwnRounding& own, const std::stop_token& stop)
         : scene_(scene),
           stop_(stop),
           radius_m_(radius_m),
+          own_(own),
           touch_m_(std::clamp(1e-4 * scene.metres_per_unit, 1e-6, 1e-5)),
           parts_(scene.solids.size()),
           index_(boxes_of(scene)) {}
@@ -98,6 +99,14 @@ private:
     }
     const Solid& solid(std::uint32_t i) const { return scene_.solids[i]; }
     const ConvexSolid& shape(std::uint32_t i) const { return scene_.solids[i].shape; }
+
+    // Returns the radius that is requested for this solid.
+    double requested_m(std::uint32_t i) const {
+        const std::optional<double>& own_hand_m = solid(i).edge_rounding_hand_m;
+        return own_hand_m && own_.world_m_per_hand_m > 0.0
+                   ? std::min(*own_hand_m * own_.world_m_per_hand_m, own_.most_m)
+                   : radius_m_;
+    }
 
     bool sharpen(std::uint32_t i) {
         if (!parts_[i].rounded()) return false;
@@ -142,11 +151,13 @@ private:
         // If no face of a solid can be touched, it needs no rounding.
         if (std::find(solid(i).face_hidden.begin(), solid(i).face_hidden.end(), false) == solid(i).face_hidden.end())
             return;
-        part.radius_m = std::min(radius_m_, kOfThickness * thickness_m(shape(i)));
+        const double requested = requested_m(i);
+        if (!(requested > 0.0)) return;
+        part.radius_m = std::min(requested, kOfThickness * thickness_m(shape(i)));
         part.edges = Edges::TooThin;
         // Rounding must not make a face vanish. The bevelled faces of a solid leave less room than its thickness, so
         // the radius is halved until all faces remain or the radius is too small.
-        for (; part.radius_m >= kLeastShare * radius_m_; part.radius_m *= 0.5) {
+        for (; part.radius_m >= kLeastShare * requested; part.radius_m *= 0.5) {
             std::vector<Plane> inner = shape(i).planes;
             for (Plane& plane : inner) plane.offset_m -= part.radius_m;
             if (built(inner, i).faces.size() == inner.size()) {
@@ -208,9 +219,9 @@ private:
     // Builds the solid behind these planes. It has no faces if the planes leave no space.
     ConvexSolid built(const std::vector<Plane>& planes, std::uint32_t near_solid) const {
         const Aabb& around = shape(near_solid).bounds_m;
-        BuiltSolid made =
-            solid_from_planes(planes, around.centre_m(), 2.0 * glm::length(around.size_m()) + 8.0 * radius_m_,
-                              {0.01 * touch_m_, 0.1 * touch_m_});
+        BuiltSolid made = solid_from_planes(planes, around.centre_m(),
+                                            2.0 * glm::length(around.size_m()) + 8.0 * std::max(radius_m_, own_.most_m),
+                                            {0.01 * touch_m_, 0.1 * touch_m_});
         if (made.fault != SolidFault::None || made.was_inside_out) return {};
         return std::move(made.solid);
     }
@@ -444,7 +455,7 @@ private:
             if (part.edges == Edges::AtSeam) note(i, report.at_seams, report.seam_names);
             if (!part.rounded()) continue;
             ++report.rounded;
-            if (part.radius_m < radius_m_) ++report.less;
+            if (part.radius_m < requested_m(i)) ++report.less;
             out[i].rounding_m = part.radius_m;
             for (std::size_t f = 0; f < part.out_m.size(); ++f) out[i].planes[f].offset_m += part.out_m[f];
             out[i].bounds_m = grown(out[i].bounds_m, *std::max_element(part.out_m.begin(), part.out_m.end()));
@@ -468,7 +479,9 @@ private:
 
     const Scene& scene_;
     std::stop_token stop_;
-    double radius_m_, touch_m_;
+    double radius_m_;
+    OwnRounding own_;
+    double touch_m_;
     std::vector<Part> parts_;
     std::vector<Seam> seams_;
     BoxIndex index_;                     // spatial index of the solids' boxes
@@ -521,14 +534,21 @@ double edge_rounding_m(double rounding_hand_mm, double world_m_per_hand_m) {
     return world_m_per_hand_m < kDetails ? 0.0 : rounding_hand_mm * 1e-3 * world_m_per_hand_m;
 }
 
+bool has_own_rounding(const Scene& scene) {
+    return std::any_of(scene.solids.begin(), scene.solids.end(),
+                       [](const Solid& solid) { return solid.edge_rounding_hand_m.has_value(); }) ||
+           std::any_of(scene.placed.begin(), scene.placed.end(),
+                       [](const PlacedModel& placed) { return has_own_rounding(*placed.model); });
+}
+
 std::vector<RoundedSolid> round_edges(const Scene& scene, double radius_m, RoundingReport& report,
-                                      const std::stop_token& stop) {
+                                      const std::stop_token& stop, const OwnRounding& own) {
     contract_pre(radius_m >= 0.0 && std::isfinite(radius_m));
     if (scene.solids.size() > RoundingReport::kMostRounded) {
         report.too_many = scene.solids.size();
         return {};
     }
-    return Rounder(scene, radius_m, stop).run(report);
+    return Rounder(scene, radius_m, own, stop).run(report);
 }
 
 }  // namespace handrail::compile

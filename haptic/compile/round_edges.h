@@ -44,13 +44,23 @@ struct RoundedSolid {
     double rounding_m = 0.0;
 };
 
+// How solids are rounded for which the map states a radius of their own.
+struct OwnRounding {
+    double world_m_per_hand_m = 0.0;  // scale of the hand; 0: these solids are rounded like all others
+    double most_m = 0.0;              // greatest radius in world metres
+    bool operator==(const OwnRounding&) const = default;
+};
+// Returns true if the scene, or a model in it, has a solid with a radius of its own.
+bool has_own_rounding(const Scene& scene);
+
 // Converts a rounding in millimetres at the hand to world metres. Returns 0 (sharp edges) at scales for details, closer
 // to 1:15 than to 1:60, because the person then explores the edges themselves.
 double edge_rounding_m(double rounding_hand_mm, double world_m_per_hand_m);
 
 // Returns one rounded solid for each solid of the scene. Returns an empty vector if there are too many solids or if a
 // stop was requested. Only touchable solids with flat faces are rounded, not soft ones, exact round shapes or volumes.
+// A solid with a radius of its own gets that radius instead of `radius_m`.
 std::vector<RoundedSolid> round_edges(const Scene& scene, double radius_m, RoundingReport& report,
-                                      const std::stop_token& stop = {});
+                                      const std::stop_token& stop = {}, const OwnRounding& own = {});
 
 }  // namespace handrail::compile

@@ -10,6 +10,7 @@ namespace {
 constexpr double kMostFlowMPerS = 0.5;
 constexpr NumberKey kViscosity{"viscosity", 0.0, 100.0, "map.range_viscosity"};
 constexpr NumberKey kBuoyancy{"buoyancy", 0.0, 1.0, "map.range_newtons"};
+constexpr NumberKey kEdgeRounding{"edge_rounding", 0.0, 5.0, "map.range_millimetres"};
 constexpr NumberKey kFilm{"film", 0.0, 0.5, "map.range_newtons"};
 
 }  // namespace
@@ -75,6 +76,8 @@ MapMeaning MapMeanings::read(const MapEntity& entity, const std::string& class_n
     }
     meaning.viscosity_ns_per_m = keys_.number_of(entity, kViscosity);
     meaning.soft = soft_options_of(entity, units_, diagnostics_);
+    if (const auto rounding_mm = keys_.number_of(entity, kEdgeRounding))
+        meaning.edge_rounding_hand_m = *rounding_mm * 1e-3;
     meaning.buoyancy_n = keys_.number_of(entity, kBuoyancy).value_or(0.0);
     meaning.film_n = keys_.number_of(entity, kFilm).value_or(0.0);
     if (const std::optional<Vec3> flow = keys_.vector_of(entity, "flow", "map.then_still")) {

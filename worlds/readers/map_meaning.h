@@ -26,6 +26,7 @@ struct MapMeaning {
     double buoyancy_n = 0.0, film_n = 0.0;
     Vec3 flow_hand_m_per_s{0.0};
     std::optional<SoftOptions> soft;
+    std::optional<double> edge_rounding_hand_m;
     std::optional<BodyOptions> body;  // set if the entity is free to move
     Material surface;                 // surface as the keys state it; its name is a library material or empty
     std::string look;                 // a text that is equal for surfaces with the same keys

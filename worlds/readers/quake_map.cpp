@@ -12,6 +12,7 @@
 #include "worlds/readers/map_brushes.h"
 #include "worlds/readers/map_curves.h"
 #include "worlds/readers/map_effects.h"
+#include "worlds/readers/map_groups.h"
 #include "worlds/readers/map_keys.h"
 #include "worlds/readers/map_labyrinth.h"
 #include "worlds/readers/map_looks.h"
@@ -50,6 +51,8 @@ public:
 
     Result<Scene> build() {
         progress(0.3);
+        groups_ = MapGroups(file_);
+        scene_.groups = groups_.groups();
         for (std::size_t i = 0; i < file_.entities.size() && !stopped(); ++i)
             read_entity(file_.entities[i], static_cast<int>(i));
         progress(0.5);
@@ -324,6 +327,7 @@ private:
         }
         Solid solid = *made;
         solid.role = meaning.role;
+        solid.group = groups_.group_of(entity);
         solid.source = {first->place.line, index};
         solid.feature = add_feature(meaning.feature);
         scene_.features[solid.feature.value].bounds_m = solid.shape.bounds_m;
@@ -370,6 +374,7 @@ private:
     struct Made {
         FeatureId whole = kNoFeature;
         bool moves = false;
+        std::uint32_t group = kNoGroup;
         std::optional<Vec3> origin_units;  // the point about which the entity turns
     };
 
@@ -389,6 +394,7 @@ private:
             return;
         }
         Made made;
+        made.group = groups_.group_of(entity);
         for (const MapBrush& brush : entity.brushes) {
             if (stopped()) return;
             read_brush(brush, meaning, index, made);
@@ -419,6 +425,8 @@ private:
         if (repeats(brush, built, *sense, meaning, index)) return;
         Solid solid;
         solid.role = sense->role;
+        solid.group = made.group;
+        solid.edge_rounding_hand_m = meaning.edge_rounding_hand_m;
         solid.source = {brush.place.line, index};
         const bool touchable = solid.role == SolidRole::Solid || solid.role == SolidRole::Mover;
         if (solid.role == SolidRole::Liquid) {
@@ -607,6 +615,7 @@ private:
     ReadMovers movers_;
     MapBodies bodies_;
     MapLabyrinth labyrinth_;
+    MapGroups groups_;
     double curve_error_m_ = 1e-3;
     std::string world_name_;
     std::optional<bool> stated_building_;

@@ -71,6 +71,16 @@ struct SoftFace {
     double yield_n = 1.0;     // force from which on a dent remains, for a face that keeps a dent
 };
 
+inline constexpr std::uint32_t kNoGroup = 0xffffffffU;
+
+// Solids that belong together in the editor. A group may be inside another one.
+struct Group {
+    std::string name;                 // the name as the map gives it
+    std::uint32_t inside = kNoGroup;  // index of the group that contains this one; it comes earlier in Scene::groups
+    bool hidden = false;              // true: the hand does not feel the solids of this group
+    bool operator==(const Group&) const = default;
+};
+
 struct Solid {
     ConvexSolid shape;
     SolidRole role = SolidRole::Solid;
@@ -85,6 +95,9 @@ struct Solid {
     double buoyancy_n = 0.0, film_n = 0.0;
     Vec3 flow_hand_m_per_s{0.0};  // for liquids only: the current, as a speed of the hand
     std::optional<SoftFace> soft;
+    // Radius of the outer edges in metres of hand travel, as the map states it; empty: the person's own setting.
+    std::optional<double> edge_rounding_hand_m;
+    std::uint32_t group = kNoGroup;  // index of the solid's group in Scene::groups
     SourcePlace source;
 };
 
@@ -176,6 +189,7 @@ struct Scene {
     LabyrinthPlan labyrinth;       // the labyrinth game of this world, if there is one
     std::vector<FreeBody> bodies;  // which of the solids are free to move; at most FreeBody::kMost bodies
     std::vector<Switch> switches;
+    std::vector<Group> groups;
     // Rooms and doors as the file itself states them (worlds/scene/stated_building.h). Null if the file states no rooms
     // and doors.
     std::shared_ptr<const StatedBuilding> stated;

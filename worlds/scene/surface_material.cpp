@@ -4,12 +4,16 @@
 
 namespace handrail {
 
-void give_material(Scene& scene, FeatureId feature, const MaterialSpec& spec) {
-    contract_pre(scene.find(feature) != nullptr);
+MaterialId library_material(Scene& scene, const MaterialSpec& spec) {
     Material material;
     material.name = spec.name;
     material.sound = spec.sound;
-    const MaterialId id = material_id(scene, material);
+    return material_id(scene, material);
+}
+
+void give_material(Scene& scene, FeatureId feature, const MaterialSpec& spec) {
+    contract_pre(scene.find(feature) != nullptr);
+    const MaterialId id = library_material(scene, spec);
     scene.features[feature.value].material = id;
     for (Solid& solid : scene.solids)
         for (std::size_t face = 0; face < solid.face_features.size(); ++face)

@@ -121,9 +121,14 @@ void fields(A& a, T& v) {
 template <class A, Is<Solid> T>
 void fields(A& a, T& v) {
     auto& [shape, role, round, feature, face_features, face_materials, face_hidden, viscosity, buoyancy, film, flow,
-           soft, source] = v;
+           soft, rounding, group, source] = v;
     a(shape, role, round, feature, face_features, face_materials, face_hidden, viscosity, buoyancy, film, flow, soft,
-      source);
+      rounding, group, source);
+}
+template <class A, Is<Group> T>
+void fields(A& a, T& v) {
+    auto& [name, inside, hidden] = v;
+    a(name, inside, hidden);
 }
 template <class A, Is<MeshTriangle> T>
 void fields(A& a, T& v) {
@@ -247,10 +252,10 @@ void fields(A& a, T& v) {
 template <class A, Is<Scene> T>
 void all_but_report(A& a, T& v) {
     auto& [name, name_in, source_file, game_map, metres_per_unit, bounds, materials, features, solids, triangles,
-           placed, surfaces, starts, sounds, room_names, effects, movers, labyrinth, bodies, switches, stated, report] =
-        v;
+           placed, surfaces, starts, sounds, room_names, effects, movers, labyrinth, bodies, switches, groups, stated,
+           report] = v;
     a(name, name_in, source_file, game_map, metres_per_unit, bounds, materials, features, solids, triangles, placed,
-      surfaces, starts, sounds, room_names, effects, movers, labyrinth, bodies, switches, stated);
+      surfaces, starts, sounds, room_names, effects, movers, labyrinth, bodies, switches, groups, stated);
 }
 template <class A, Is<Scene> T>
 void fields(A& a, T& v) {
@@ -302,6 +307,10 @@ bool is_whole(const Scene& scene, const StatedBuilding& stated) {
 bool holds_together(const Scene& scene) {
     for (const Solid& solid : scene.solids)
         if (solid.soft && solid.soft->face >= solid.shape.planes.size()) return false;
+    for (const Solid& solid : scene.solids)
+        if (solid.group != kNoGroup && solid.group >= scene.groups.size()) return false;
+    for (std::size_t i = 0; i < scene.groups.size(); ++i)
+        if (scene.groups[i].inside != kNoGroup && scene.groups[i].inside >= i) return false;
     for (const Mover& mover : scene.movers)
         if (!is_whole(scene, mover)) return false;
     for (const Switch& one : scene.switches)

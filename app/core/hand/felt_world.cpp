@@ -24,6 +24,12 @@ double felt_rounding_m(double edge_rounding_hand_mm, double world_m_per_hand_m, 
     return std::min(compile::edge_rounding_m(edge_rounding_hand_mm, world_m_per_hand_m), proxy_radius_m);
 }
 
+compile::OwnRounding felt_own_rounding(const Scene& scene, double edge_rounding_hand_mm, double world_m_per_hand_m,
+                                       double proxy_radius_m) {
+    if (edge_rounding_hand_mm <= 0.0 || !compile::has_own_rounding(scene)) return {};
+    return {world_m_per_hand_m, proxy_radius_m};
+}
+
 FeltWorld make_felt(const FeltOrder& order, const FeltWorld& before, const std::stop_token& stop) {
     FeltWorld felt;
     felt.portals = order.portals;
@@ -34,10 +40,13 @@ FeltWorld make_felt(const FeltOrder& order, const FeltWorld& before, const std::
     felt.rounding_m = felt_rounding_m(order.edge_rounding_hand_mm, order.world_m_per_hand_m, radius_m);
     if (compile::has_dense_mesh(*order.scene))
         felt.mesh_tolerance_m = order.mesh_tolerance_hand_mm * 1e-3 * order.world_m_per_hand_m;
-    if (felt.plan == before.plan && felt.rounding_m == before.rounding_m &&
+    felt.own_rounding =
+        felt_own_rounding(*order.scene, order.edge_rounding_hand_mm, order.world_m_per_hand_m, radius_m);
+    if (felt.plan == before.plan && felt.rounding_m == before.rounding_m && felt.own_rounding == before.own_rounding &&
         felt.mesh_tolerance_m == before.mesh_tolerance_m)
         return felt;
     compile::CompileOptions options = compile::exploring(felt.rounding_m, order.world, felt.mesh_tolerance_m);
+    options.own_rounding = felt.own_rounding;
     options.stop = stop;
     compile::CompileReport report;
     felt.haptic = felt.plan.changes_nothing()

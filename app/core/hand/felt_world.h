@@ -33,12 +33,18 @@ struct FeltWorld {
     compile::Simplification plan;
     OpenPortals portals;
     double rounding_m = 0.0, mesh_tolerance_m = 0.0;
+    compile::OwnRounding own_rounding = {};
     std::vector<compile::CoarserMesh> coarser;
 };
 
 // Returns the radius for rounding edges. The radius never exceeds that of the proxy. round_edges.h explains the reason
 // under "inner corners".
 double felt_rounding_m(double edge_rounding_hand_mm, double world_m_per_hand_m, double proxy_radius_m);
+
+// Returns how solids with a radius of their own are rounded. If the person wants sharp edges, or the scene has no such
+// solids, the result is the default.
+compile::OwnRounding felt_own_rounding(const Scene& scene, double edge_rounding_hand_mm, double world_m_per_hand_m,
+                                       double proxy_radius_m);
 
 // Makes the world for `order`. If plan, rounding and tolerance are the same as in `before`, compiles nothing. After a
 // request to `stop`, the caller must ignore the result.

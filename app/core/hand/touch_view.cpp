@@ -21,6 +21,7 @@ void TouchView::enter_world(std::shared_ptr<const render::HapticScene> sharp, do
     announced_.clear();
     plan_ = {};
     rounded_m_ = mesh_tolerance_m_ = 0.0;
+    own_rounding_ = {};
     coarser_.clear();
     haptic_ = sharp ? std::move(sharp) : compile::compile_haptic(*world_.scene, compile::exploring(0.0));
     retune();
@@ -37,7 +38,8 @@ void TouchView::change_world(double now_s) {
     // again takes seconds.
     mesh_tolerance_m_ = 0.0;
     coarser_.clear();
-    const compile::CompileOptions options = compile::exploring(rounded_m_, haptic_->world);
+    compile::CompileOptions options = compile::exploring(rounded_m_, haptic_->world);
+    options.own_rounding = own_rounding_;
     haptic_ = plan_.changes_nothing() ? compile::compile_haptic(*world_.scene, options)
                                       : compile::compile_haptic(compile::simplified(*world_.scene, plan_), options);
     contract_valid(validate(*world_.scene));
@@ -51,8 +53,9 @@ void TouchView::change_world(double now_s) {
 void TouchView::adapt() {
     if (!stale()) return;
     ordered_ = order();
-    felt_.begin([order = *ordered_, before = FeltWorld{nullptr, plan_, {}, rounded_m_, mesh_tolerance_m_, {}}](
-                    const std::stop_token& stop) { return make_felt(order, before, stop); });
+    felt_.begin(
+        [order = *ordered_, before = FeltWorld{nullptr, plan_, {}, rounded_m_, mesh_tolerance_m_, own_rounding_, {}}](
+            const std::stop_token& stop) { return make_felt(order, before, stop); });
 }
 
 void TouchView::retune() {
@@ -139,6 +142,7 @@ bool TouchView::take_made(double now_s) {
     if (!felt->haptic) return false;
     plan_ = std::move(felt->plan);
     rounded_m_ = felt->rounding_m;
+    own_rounding_ = felt->own_rounding;
     mesh_tolerance_m_ = felt->mesh_tolerance_m;
     coarser_ = std::move(felt->coarser);
     haptic_ = std::move(felt->haptic);

@@ -82,6 +82,7 @@ private:
     HandsState& hands_;
     std::shared_ptr<const render::HapticScene> haptic_;
     double rounded_m_ = 0.0;                     // how far edges in `haptic_` are rounded
+    compile::OwnRounding own_rounding_;          // how solids with a radius of their own are rounded in `haptic_`
     double mesh_tolerance_m_ = 0.0;              // tolerance of the dense meshes in `haptic_`
     std::vector<compile::CoarserMesh> coarser_;  // coarser meshes in `haptic_`
     compile::Simplification plan_;               // simplifications in `haptic_`
