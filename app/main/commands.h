@@ -144,10 +144,11 @@ int run_replay(const ReplayArguments& arguments, const settings::Settings& setti
 
 // `handrail learner`: manages the learners and what they have agreed to.
 struct LearnerArguments {
-    std::string action = "list";           // what to do: list, new, show, consent or delete
+    std::string action = "list";           // what to do: list, new, show, consent, diary or delete
     std::string name = {};                 // chosen name or id of the learner
     std::string give = {}, withdraw = {};  // purposes of the consent that is given or withdrawn, joined by commas
     std::string by = {}, until = {};       // who gives the consent, and until when
+    std::filesystem::path to = {};         // file of an exported diary
     bool yes = false;                      // the command asks no questions
 };
 // Asks questions on `out` and reads the answers as lines from `in`. Returns 1 if the request failed, if nobody agreed,

@@ -9,6 +9,7 @@
 #include "app/core/kept/spoken_language.h"
 #include "app/core/session/session.h"
 #include "app/core/session/session_driver.h"
+#include "app/learners/learner.h"
 #include "app/main/commands.h"
 #include "app/main/device_facts.h"
 #include "app/main/ears.h"
@@ -70,6 +71,7 @@ public:
           app_(settings.values(), core::HandFacts{},
                {.executor = on_threads(),
                 .records_in = arguments.common.data_folder(),
+                .day = learners::today(),
                 .languages_in = core::user_languages_folder(),
                 .bodies = {.clock = &clock_, .recording = recording_.bodies(), .played = {}},
                 .arrivals = recording_.arrivals()}) {

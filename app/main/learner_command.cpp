@@ -4,6 +4,8 @@
 
 #include "app/core/kept/last_place.h"
 #include "app/core/kept/side_file.h"
+#include "app/core/learning/diary.h"
+#include "app/learners/export_gate.h"
 #include "app/learners/forget.h"
 #include "app/learners/learners.h"
 #include "app/main/commands.h"
@@ -16,6 +18,8 @@ namespace handrail::program {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestSideFile_bytes = std::size_t{16} << 20;
 
 std::string purpose_words(learners::Purpose purpose) {
     if (purpose == learners::Purpose::Remember) return phrase("learner.remember");
@@ -38,13 +42,14 @@ public:
         const std::string& action = arguments_.action;
         if (action == "list") return list();
         if (action == "new") return make();
-        constexpr std::array<const char*, 5> kActions = {"list", "new", "show", "consent", "delete"};
+        constexpr std::array<const char*, 6> kActions = {"list", "new", "show", "consent", "diary", "delete"};
         if (std::find(kActions.begin(), kActions.end(), action) == kActions.end()) {
             const std::vector<std::string> actions(kActions.begin(), kActions.end());
             return refuse(phrase("learner.no_action", {{"word", action}, {"nearest", nearest_name(action, actions)}}),
                           2);
         }
         if (arguments_.name.empty()) return refuse(phrase("learner.needs_name", {{"action", action}}), 2);
+        if (action == "diary") return diary();
         return action == "show" ? show() : action == "consent" ? consent() : remove();
     }
 
@@ -169,6 +174,39 @@ private:
         });
         if (!changed) return refuse(changed.error());
         print_facts(*changed);
+        return 0;
+    }
+
+    // Writes the diaries of all worlds as one table. A learner who has not agreed to share gets no such file outside
+    // the learner's own folder.
+    int diary() {
+        if (arguments_.to.empty()) return refuse(phrase("learner.diary_needs_file"), 2);
+        const auto learner = learners_.find(arguments_.name);
+        if (!learner) return refuse(learner.error());
+        const auto gate = learners::ExportGate::of(learners_, *learner);
+        if (const auto allowed = gate.allows(arguments_.to); !allowed) return refuse(allowed.error());
+        std::error_code ec;
+        if (fs::exists(fs::symlink_status(arguments_.to, ec)))
+            return refuse(phrase("export.exists", {{"file", arguments_.to.string()}}), 1);
+        std::vector<fs::path> files;
+        for (fs::directory_iterator at(learners_.folder_of(learner->id) / "worlds", ec), end; !ec && at != end;
+             at.increment(ec))
+            files.push_back(at->path());
+        std::sort(files.begin(), files.end());
+        std::string table = "world,day,room,seconds,walls_percent,floor_percent\r\n";
+        std::size_t visits = 0;
+        for (const fs::path& file : files) {
+            const auto text = read_whole_file(file, kLongestSideFile_bytes);
+            if (!text) return refuse(text.error());
+            const std::vector<core::DiaryEntry> entries = core::diary_in(*text);
+            // The name of the file is that of the world with a checksum and an ending.
+            const std::string name = file.filename().string();
+            table += core::diary_csv(name.substr(0, name.rfind('-')), entries);
+            visits += entries.size();
+        }
+        if (const auto written = gate.write(arguments_.to, table, write_named_file_atomically); !written)
+            return refuse(written.error());
+        out_ << phrase("learner.diary_written", {{"file", arguments_.to.string()}, {"count", visits}}) << '\n';
         return 0;
     }
 

@@ -12,6 +12,7 @@ CLI::App* add_learner_command(CLI::App& app, LearnerArguments& arguments) {
     learner->add_option("--withdraw", arguments.withdraw, phrase("help.learner_withdraw"))->type_name("PURPOSES");
     learner->add_option("--by", arguments.by, phrase("help.learner_by"))->type_name("NAME");
     learner->add_option("--until", arguments.until, phrase("help.learner_until"))->type_name("DAY");
+    learner->add_option("--to", arguments.to, phrase("help.learner_to"))->type_name("FILE");
     learner->add_flag("--yes", arguments.yes, phrase("help.learner_yes"));
     return learner;
 }

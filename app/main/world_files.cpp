@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "app/core/kept/kept_groups.h"
 #include "app/core/kept/kept_unit.h"
 #include "app/core/kept/labels.h"
 #include "app/core/kept/made_doors.h"
@@ -130,9 +131,12 @@ Scene mended(Scene scene, const fs::path& world, const CommonArguments& common) 
     const std::vector<MadeDoor> doors = core::kept_doors(
         kept_by(world), common.data_folder(), !common.data_in.empty() || is_shipped(world), toml_next_to_worlds());
     if (!doors.empty()) scene = with_made_doors(std::move(scene), doors);
+    const fs::path kept = kept_by(world);
+    const bool shipped = !common.data_in.empty() || is_shipped(world);
+    scene = core::with_groups(std::move(scene),
+                              core::kept_groups(kept, common.data_folder(), shipped, toml_next_to_worlds()));
     return core::with_labels(std::move(scene),
-                             core::kept_labels(kept_by(world), common.data_folder(),
-                                               !common.data_in.empty() || is_shipped(world), toml_next_to_worlds()));
+                             core::kept_labels(kept, common.data_folder(), shipped, toml_next_to_worlds()));
 }
 
 Result<Scene> mended_and_valid(Result<importing::ImportedWorld> read, const fs::path& world,

@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "app/core/kept/kept_groups.h"
 #include "app/core/kept/labels.h"
 #include "app/core/kept/made_doors.h"
 #include "app/core/kept/side_file.h"
@@ -264,8 +265,10 @@ Result<std::shared_ptr<const Scene>> read_recorded_scene(const RecordedWorld& wo
     if (!scene) return tl::unexpected(scene.error());
     if (!world.checksum.empty() && core::SideFile::checksum_of_world(world.request.file) != world.checksum)
         return fail(phrase("replay.other_world"), world.request.file.string());
-    return std::make_shared<const Scene>(core::with_labels(
-        with_made_doors(std::move(*scene), core::made_doors_in(world.additions)), core::labels_in(world.additions)));
+    return std::make_shared<const Scene>(
+        core::with_labels(core::with_groups(with_made_doors(std::move(*scene), core::made_doors_in(world.additions)),
+                                            core::groups_in(world.additions)),
+                          core::labels_in(world.additions)));
 }
 
 Result<ComputedAgain> compute_again(const Recording& recording, const core::WorldReader& read) {

@@ -81,6 +81,11 @@ LessonFile three_sessions(const core::LessonDraft& draft, const std::filesystem:
         order.say.text = phrase("prepare.order");
         third.steps.push_back(order);
     }
+    for (const std::string& question : draft.questions) {
+        TaughtStep ask = step_of(StepKind::Question);
+        ask.say.text = question;
+        third.steps.push_back(ask);
+    }
     TaughtStep sure = step_of(StepKind::Question);
     sure.say.text = phrase("prepare.how_sure");
     sure.scale = {1, 7};

@@ -205,5 +205,23 @@ TEST_F(LearnerProgram, is_reported_on_over_all_sessions_and_shared_only_with_con
     EXPECT_FALSE(fs::exists(page) || fs::exists(table)) << "what was written elsewhere and is as it was goes too";
 }
 
+TEST_F(LearnerProgram, has_a_diary_that_is_exported_only_with_consent_to_share) {
+    EXPECT_EQ(run({"learner", "new", "Oak Owl"}).exit_status, 0);
+    EXPECT_EQ(run({"learner", "consent", "Oak Owl", "--give", "remember"}).exit_status, 0);
+    EXPECT_THAT(explore("Oak Owl", "forward 4\ndiary\n").out, HasSubstr("iary"));
+    const std::string table = (home_.path() / "diary.csv").string();
+    EXPECT_EQ(run({"learner", "diary", "Oak Owl"}).exit_status, 2);
+    const ProgramRun refused = run({"learner", "diary", "Oak Owl", "--to", table});
+    EXPECT_EQ(refused.exit_status, 1);
+    EXPECT_THAT(refused.err, HasSubstr("has not agreed"));
+    EXPECT_FALSE(fs::exists(table));
+    EXPECT_EQ(run({"learner", "consent", "Oak Owl", "--give", "share"}).exit_status, 0);
+    const ProgramRun made = run({"learner", "diary", "Oak Owl", "--to", table});
+    EXPECT_EQ(made.exit_status, 0) << made.err;
+    EXPECT_THAT(content_of(table), testing::StartsWith("world,day,room,seconds,walls_percent,floor_percent\r\n"));
+    EXPECT_EQ(run({"learner", "delete", "Oak Owl", "--yes"}).exit_status, 0);
+    EXPECT_FALSE(fs::exists(table)) << "what was written elsewhere goes too";
+}
+
 }  // namespace learner_test
 }  // namespace handrail::test

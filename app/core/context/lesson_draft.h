@@ -26,8 +26,9 @@ struct LessonDraft {
     std::vector<Place> stops;  // stops of the route, in order
     // Landmarks that the learner must locate from the base: all landmarks except those at the base itself.
     std::vector<std::string> requested;
-    std::vector<std::string> on_route;  // those of `requested` that the route passes, in the order of the route
-    std::string world_checksum;         // checksum of the world file; empty: not known
+    std::vector<std::string> on_route;   // those of `requested` that the route passes, in the order of the route
+    std::vector<std::string> questions;  // questions that were set in this world; the third session asks them
+    std::string world_checksum;          // checksum of the world file; empty: not known
 };
 
 }  // namespace handrail::core

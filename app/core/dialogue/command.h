@@ -86,6 +86,10 @@ enum class Command : std::uint8_t {
     RestOfRoute,
     FaceRoute,   // turns the walker to the direction of the announced leg
     NameRoom,    // the person types a name for the present room
+    AskHere,     // sets a question of a quiz at this place
+    Quiz,        // asks the questions that were set in this world
+    Groups,      // opens a list of the groups of this world; the chosen one can be hidden or get a material
+    Diary,       // opens a list of the rooms that the person visited, with dates and what was learnt
     Label,       // gives the thing under the hand, or ahead, another name, kind or material
     KeptRoutes,  // opens a list of the saved routes
     KeepRoute,   // saves the route planned or walked last under a name

@@ -43,9 +43,10 @@ int count_of(const std::string& word, const SmallWords& small) {
 }
 
 // Returns the words from `first` on, as the person typed them, without leading fillers.
-std::string name_from(const std::vector<TypedWord>& words, std::size_t first, const SmallWords& small) {
+std::string name_from(const std::vector<TypedWord>& words, std::size_t first, const SmallWords& small,
+                      bool commas = false) {
     while (first + 1 < words.size() && place_among(small.fillers, words[first].plain)) ++first;
-    return written_from(words, first);
+    return written_from(words, first, commas);
 }
 
 // Returns true if the words fit the pattern. A name is the last element of a pattern and stands for all remaining
@@ -57,7 +58,7 @@ bool fits(const std::vector<TypedWord>& pattern, const std::vector<TypedWord>& w
         while (at < words.size() && item.plain != words[at].plain && place_among(small.polite, words[at].plain)) ++at;
         if (at == words.size()) return false;
         if (item.plain == kName) {
-            said.choice = name_from(words, at, small);
+            said.choice = name_from(words, at, small, takes_text(said.command));
             return !said.choice.empty();
         }
         if (item.plain == kCount) {

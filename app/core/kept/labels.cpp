@@ -8,7 +8,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr const char* kList = "landmark";
+constexpr const char* kLabelList = "landmark";
 constexpr std::array kKinds{"thing", "landmark", "clue"};
 
 LabelKind kind_named(const std::string& word) {
@@ -33,7 +33,7 @@ Result<Label> label_from(const SideEntry& entry) {
                  without(entry, {"name", "place_m", "kind", "called", "material"})};
 }
 
-SideEntry entry_of(const Label& label) {
+SideEntry label_entry(const Label& label) {
     SideEntry entry = label.kept;
     entry["name"] = label.thing;
     put_place(entry, label.at_m);
@@ -83,16 +83,16 @@ LabelKind kind_of(const Feature& feature) {
 }
 
 std::vector<Label> read_labels(const SideFile& file, std::vector<Error>& faults) {
-    return read_list(file, kList, label_from, faults);
+    return read_list(file, kLabelList, label_from, faults);
 }
 
 std::vector<Label> kept_labels(const std::filesystem::path& world, const std::filesystem::path& data_folder,
                                bool shipped, const settings::TomlReader& toml) {
-    return labels_of(SideFile::peek_entries(world, data_folder, shipped, kList, toml));
+    return labels_of(SideFile::peek_entries(world, data_folder, shipped, kLabelList, toml));
 }
 
 std::vector<Label> labels_in(const std::string& side_file) {
-    return labels_of(SideFile::entries_of_text(side_file, kList));
+    return labels_of(SideFile::entries_of_text(side_file, kLabelList));
 }
 
 Label label_of(const SideFile& file, const Feature& feature) {
@@ -109,14 +109,14 @@ void keep_label(SideFile& file, const Label& label) {
     const auto found = std::find_if(all.begin(), all.end(), same);
     if (found == all.end()) all.push_back(label);
     else *found = label;
-    write_list(file, kList, all, entry_of, label_from);
+    write_list(file, kLabelList, all, label_entry, label_from);
 }
 
 void drop_label(SideFile& file, const Label& label) {
     std::vector<Error> faults;
     std::vector<Label> all = read_labels(file, faults);
     std::erase_if(all, [&](const Label& other) { return other.thing == label.thing && other.at_m == label.at_m; });
-    write_list(file, kList, all, entry_of, label_from);
+    write_list(file, kLabelList, all, label_entry, label_from);
 }
 
 bool changes(const Scene& scene, const std::vector<Label>& labels) {

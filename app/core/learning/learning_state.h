@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/core/learning/diary.h"
 #include "app/core/learning/learning.h"
 #include "app/core/learning/learnt_file.h"
 
@@ -15,6 +16,7 @@ namespace handrail::core {
 struct RoomLearning {
     std::optional<Learnt> learnt;  // the parts that are known; made when they are needed for the first time
     double spent_s = 0.0;
+    double spent_before_s = 0.0;  // share of `spent_s` from earlier sessions
     // The following fields belong to the guided mode.
     std::optional<Vec3> base_m;
     bool walls_done = false;
@@ -45,6 +47,7 @@ struct LearningState {
     std::optional<Error> fault;  // why the stored progress could not be read; if set, it is not overwritten
     std::size_t kept_notes = 0;
     double kept_s = 0.0, began_s = 0.0;
+    std::vector<DiaryEntry> diary_before;  // the diary as it was when the world was entered
 };
 
 }  // namespace handrail::core

@@ -53,7 +53,7 @@ bool remembers(const SideFile& file) { return !file.entries("learnt").empty(); }
 void set_remembers(SideFile& file, bool on) {
     if (on == remembers(file)) return;
     if (on) return file.set_entries("learnt", {{{"name", std::string("all")}}});
-    for (const char* list : {"learnt", "learnt_room", "learnt_way"})
+    for (const char* list : {"learnt", "learnt_room", "learnt_way", "diary"})
         if (!file.entries(list).empty()) file.set_entries(list, {});
 }
 

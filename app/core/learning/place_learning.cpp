@@ -10,6 +10,7 @@
 #include "app/core/learning/time_words.h"
 #include "app/core/world/trail.h"
 #include "worlds/base/language.h"
+#include "worlds/base/spoken_time.h"
 #include "worlds/base/text.h"
 
 namespace handrail::core {
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kLookEvery_s = 1.0, kKeepEvery_s = 60.0;
 constexpr double kAtBase_m = 1.0;
+constexpr double kVisit_s = 5.0;  // a shorter stay in a room is no visit
 constexpr std::array kQuarters{Quarter::Ahead, Quarter::Right, Quarter::Behind, Quarter::Left};
 
 long percent(double share) { return static_cast<long>(std::floor(100.0 * share + 0.5)); }
@@ -28,6 +30,7 @@ bool PlaceLearning::act(Command command, double now_s) {
     else if (command == Command::ProgressReport) context_.answer(progress_words(now_s), now_s);
     else if (command == Command::LearnPlace) toggle(now_s);
     else if (command == Command::LearntRooms) list_rooms(now_s);
+    else if (command == Command::Diary) list_diary(now_s);
     else return false;
     return true;
 }
@@ -42,6 +45,7 @@ void PlaceLearning::take_kept() {
     if (!remembers(context_.additions)) return;
     auto kept = read_learnt(context_.additions);
     state_.keeps = kept.has_value();
+    state_.diary_before = read_diary(context_.additions);
     if (!kept) {
         state_.fault = std::move(kept.error());
         return;
@@ -85,6 +89,7 @@ void PlaceLearning::keep(double now_s) {
             kept.rooms.push_back({rooms_.graph().rooms[number].name, learning.spent_s, learning.base_m,
                                   learning.walls_done, static_cast<int>(learning.lanes_announced)});
     write_learnt(context_.additions, kept);
+    write_diary(context_.additions, diary());
     context_.session_requests.save_additions(now_s);
 }
 
@@ -96,7 +101,7 @@ RoomLearning& PlaceLearning::room(std::uint32_t number) {
     const std::string& name = rooms_.graph().rooms[number].name;
     for (const KeptRoom& kept : state_.kept.rooms) {
         if (kept.name != name) continue;
-        learning.spent_s = kept.spent_s;
+        learning.spent_s = learning.spent_before_s = kept.spent_s;
         learning.base_m = kept.base_m;
         learning.walls_done = kept.walls_done;
         learning.lanes_announced = static_cast<std::size_t>(kept.lanes_announced);
@@ -261,6 +266,56 @@ void PlaceLearning::list_rooms(double now_s) {
         rooms.push_back(row.room);
     }
     list.chosen = [this, rooms](std::size_t at) { on_go_to_room(rooms[at], context_.tick_s); };
+    context_.open_list(std::move(list), now_s);
+}
+
+// Returns the diary with the visits of this session.
+std::vector<DiaryEntry> PlaceLearning::diary() {
+    std::vector<DiaryEntry> all = state_.diary_before;
+    if (!rooms_.found()) return all;
+    for (const auto& [number, learning] : state_.rooms) {
+        const double spent_s = learning.spent_s - learning.spent_before_s;
+        if (spent_s < kVisit_s || number >= rooms_.graph().rooms.size()) continue;
+        const Progress progress = progress_of(learnt_of(number));
+        add_visit(all, {day_,
+                        rooms_.graph().rooms[number].name,
+                        spent_s,
+                        static_cast<int>(percent(progress.perimeter_share())),
+                        static_cast<int>(percent(progress.floor_share())),
+                        {}});
+    }
+    return all;
+}
+
+// Opens the diary, the latest visit first. Choosing a visit gives the route to its room.
+void PlaceLearning::list_diary(double now_s) {
+    if (!state_.keeps || !remembers(context_.additions)) return context_.answer(phrase("diary.off"), now_s);
+    if (!rooms_.have(now_s)) return;
+    rooms_.notice(now_s, true);
+    spend_time();
+    std::vector<DiaryEntry> visits = diary();
+    if (visits.empty()) return context_.answer(phrase("diary.empty"), now_s);
+    std::reverse(visits.begin(), visits.end());
+    ListSpec list;
+    list.title = phrase("diary.title", {{"count", visits.size()}});
+    std::vector<std::string> names;
+    for (const DiaryEntry& visit : visits) {
+        const bool now = visit.day == day_;
+        list.items.push_back({phrase("diary.visit", {{"today", now ? "yes" : "no"},
+                                                     {"day", day_words(visit.day + "T12:00:00Z")},
+                                                     {"room", sentence_case(visit.room)}}),
+                              phrase("diary.learnt", {{"time", time_words(visit.spent_s)},
+                                                      {"walls", visit.walls_percent},
+                                                      {"floor", visit.floor_percent}})});
+        names.push_back(visit.room);
+    }
+    list.chosen = [this, names](std::size_t at) {
+        const auto& rooms = rooms_.graph().rooms;
+        const auto room =
+            std::find_if(rooms.begin(), rooms.end(), [&](const auto& one) { return one.name == names[at]; });
+        if (room == rooms.end()) return context_.answer(phrase("diary.gone", {{"room", names[at]}}), context_.tick_s);
+        on_go_to_room(static_cast<std::uint32_t>(room - rooms.begin()), context_.tick_s);
+    };
     context_.open_list(std::move(list), now_s);
 }
 

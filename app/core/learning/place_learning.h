@@ -17,6 +17,8 @@ namespace handrail::core {
 class PlaceLearning : SessionPart {
 public:
     PlaceLearning(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
+    // Sets the day for the diary, such as "2026-12-01"; empty: not known.
+    void set_day(std::string day) { day_ = std::move(day); }
 
     void enter_world(double now_s);
     // Announces the stored progress in this world, or why it cannot be read. Call it after the world has been
@@ -26,7 +28,7 @@ public:
     void take_again();
     // Writes new progress to the side file, if the person wants progress to be remembered.
     void keep(double now_s);
-    // Carries out the commands Unexplored, ProgressReport, LearnPlace and LearntRooms. Returns false for other
+    // Carries out the commands Unexplored, ProgressReport, LearnPlace, LearntRooms and Diary. Returns false for other
     // commands.
     bool act(Command command, double now_s);
     // Notes the positions of hand and walker. Call it once a tick. `bumped` is the normal of the wall that the walker
@@ -61,11 +63,14 @@ private:
     std::string share_words(const Progress& progress) const;
     void announce_unexplored(double now_s);
     void list_rooms(double now_s);
+    std::vector<DiaryEntry> diary();
+    void list_diary(double now_s);
     void toggle(double now_s);
     void guide(double now_s);
 
     Rooms& rooms_;
     LearningState state_;
+    std::string day_;
 };
 
 }  // namespace handrail::core

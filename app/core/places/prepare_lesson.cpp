@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/core/context/context_words.h"
+#include "app/core/kept/questions.h"
 #include "app/core/kept/room_names.h"
 #include "app/core/wayfinding/stops.h"
 #include "app/core/world/surroundings.h"
@@ -166,6 +167,10 @@ void PrepareLesson::save(double now_s) {
     draft_.requested.clear();
     for (const LessonDraft::Place& landmark : requested) draft_.requested.push_back(landmark.name);
     draft_.on_route = on_route(requested);
+    std::vector<Error> faults;
+    draft_.questions.clear();
+    for (const PlaceQuestion& question : read_questions(context_.additions, faults))
+        draft_.questions.push_back(question.text);
     draft_.world_checksum = context_.additions.world_checksum();
     TextSpec title;
     title.question = phrase("prepare.ask_title");

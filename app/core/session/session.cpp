@@ -33,6 +33,7 @@ Session::Session(const settings::Settings& settings, const HandFacts& hand, cons
         learn_.hunt.keep_records_in(options.records_in);
         labyrinth_.keep_records_in(options.records_in);
     }
+    learn_.place.set_day(options.day);
     if (!options.languages_in.empty()) menu_.languages().find_in(options.languages_in);
     lay_device_overrides(state_.person.settings, state_.hands.right);
     desk_visit_.furnish();

@@ -19,6 +19,7 @@ void Session::take_additions() {
     else state_.additions = SideFile();
     guide_.enter_world();
     places_.marks.enter_world();
+    places_.groups.enter_world();
     places_.labels.enter_world();
     places_.faults.enter_world();
 }
@@ -26,6 +27,7 @@ void Session::take_additions() {
 void Session::announce_additions(double now_s) {
     for (const std::string& news : state_.additions.news()) say(news, cues::SpeechClass::Answer, now_s);
     places_.marks.announce_faults(now_s);
+    places_.groups.announce_unreadable(now_s);
     places_.labels.announce_unreadable(now_s);
     places_.ways.enter_world(now_s);
     learn_.place.announce_kept(now_s);
@@ -58,6 +60,7 @@ void Session::tick_additions(double now_s) {
 void Session::take_others_additions() {
     state_.lists.dialogue.close_all();  // Open lists refer to items by index, and the indices may have changed.
     places_.marks.take_again();
+    places_.groups.take_again();
     places_.labels.take_again();
     places_.ways.take_again();
     where_.rooms.take_names_again();

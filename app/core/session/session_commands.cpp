@@ -42,6 +42,8 @@ struct Session::Carriers {
     static bool doors(Session& s, Command c, double now_s, int) { return s.movers_.doors.act(c, now_s); }
     static bool marks(Session& s, Command c, double now_s, int) { return s.places_.marks.act(c, now_s); }
     static bool labels(Session& s, Command c, double now_s, int) { return s.places_.labels.act(c, now_s); }
+    static bool quiz(Session& s, Command c, double now_s, int) { return s.places_.quiz.act(c, now_s); }
+    static bool groups(Session& s, Command c, double now_s, int) { return s.places_.groups.act(c, now_s); }
     static bool ways(Session& s, Command c, double now_s, int) { return s.places_.ways.act(c, now_s); }
     static bool guide(Session& s, Command c, double now_s, int) { return s.guide_.act(c, now_s); }
     static bool menu(Session& s, Command c, double now_s, int) { return s.menu_.act(c, now_s); }
@@ -120,6 +122,10 @@ struct Session::Carriers {
         Row{Command::RestOfRoute, {}, {guide}},
         Row{Command::FaceRoute, {}, {guide}},
         Row{Command::NameRoom, {}, {rooms}},
+        Row{Command::AskHere, {}, {quiz}},
+        Row{Command::Quiz, {}, {quiz}},
+        Row{Command::Groups, {}, {groups}},
+        Row{Command::Diary, {}, {place}},
         Row{Command::Label, {}, {labels}},
         Row{Command::KeptRoutes, {}, {ways}},
         Row{Command::KeepRoute, {}, {ways}},

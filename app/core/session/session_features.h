@@ -18,11 +18,13 @@
 #include "app/core/movers/doors.h"
 #include "app/core/movers/triggers.h"
 #include "app/core/places/fault_list.h"
+#include "app/core/places/group_list.h"
 #include "app/core/places/kept_routes.h"
 #include "app/core/places/label_list.h"
 #include "app/core/places/mark_list.h"
 #include "app/core/places/no_route_reason.h"
 #include "app/core/places/prepare_lesson.h"
+#include "app/core/places/quiz.h"
 #include "app/core/walking/by_ear.h"
 #include "app/core/walking/cane.h"
 #include "app/core/walking/footing.h"
@@ -106,12 +108,16 @@ struct PlacesFeatures {
         : marks(state.context, state.world.marks),
           ways(state.context, rooms, planned),
           labels(state.context, state.world),
+          groups(state.context, state.world),
+          quiz(state.context),
           faults(state.context, rooms),
           why_no_route(state.context, rooms),
           lesson(state.context, rooms) {}
     MarkList marks;
     KeptRoutes ways;
     LabelList labels;
+    GroupList groups;
+    Quiz quiz;
     FaultList faults;
     NoRouteReason why_no_route;
     PrepareLesson lesson;

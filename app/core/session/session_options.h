@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "app/core/bodies/body_engines.h"
 #include "app/core/whereabouts/rooms_kept.h"
@@ -15,6 +16,8 @@ struct SessionOptions {
     const Executor& executor = at_once();
     // Folder for best times. If it is empty, best times are lost when the session ends.
     std::filesystem::path records_in = {};
+    // The day on which the session begins, such as "2026-12-01", for the person's diary; empty: not known.
+    std::string day = {};
     // Folder of the person's own language files. If it is empty, only the bundled languages can be spoken.
     std::filesystem::path languages_in = {};
     BodyEngines bodies = {};

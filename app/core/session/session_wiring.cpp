@@ -43,6 +43,7 @@ void Session::wire() {
         return routes;
     };
     learn_.teaching.exercise.on_prepare = [this](double now_s) { places_.lesson.open(now_s); };
+    places_.groups.on_felt = [this](double now_s) { hand_.touch_view.change_world(now_s); };
     places_.labels.on_material = [this](double now_s) { hand_.touch_view.change_world(now_s); };
     places_.faults.on_landmark = [this](FeatureId thing, double now_s) { places_.labels.make_landmark(thing, now_s); };
     places_.faults.on_find = [this](const Goal& place, double now_s) { guide_.open_tools(place, now_s); };

@@ -52,8 +52,7 @@ TEST(Labels, that_a_sentence_gives_are_used_at_once_and_in_the_next_session) {
     const World world;
     {
         Person p(world.path);
-        EXPECT_EQ(p.line("call this workbench, a landmark, of wood"),
-                  "Workbench is labelled: a landmark, made of wood.");
+        EXPECT_EQ(p.line("call this workbench, landmark, wood"), "Workbench is labelled: a landmark, made of wood.");
         EXPECT_THAT(p.request(Command::AheadOfMe), HasSubstr("Workbench, 3 steps ahead"));
     }
     Person p(world.path);

@@ -1,5 +1,5 @@
 // Tests an instructor who prepares a lesson in the program, key by key. Then the program teaches the lesson.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cctype>
 
@@ -38,6 +38,15 @@ public:
             live(0.2);
         }
     }
+    void request(Command command) {
+        headless_.app().apply(CommandDown{command}, headless_.now_s());
+        headless_.app().apply(CommandUp{command}, headless_.now_s());
+        live(0.2);
+    }
+    void line(const std::string& text) {
+        EXPECT_TRUE(headless_.app().apply(LineTyped{text}, headless_.now_s())) << text;
+        live(0.2);
+    }
     void live(double seconds) {
         for (const double until_s = headless_.now_s() + seconds; headless_.now_s() < until_s - 1e-9;)
             headless_.advance();
@@ -56,6 +65,9 @@ private:
 TEST(PreparingALesson, takes_under_60_keys_and_5_minutes_in_our_school_and_gives_a_teachable_file) {
     const auto scene = test::world_once(kSchool);
     Instructor instructor(scene);
+    instructor.request(Command::AskHere);
+    instructor.line("Which corridor is this?");
+    instructor.line("The lower one");
     // Plans a route to the lower corridor, and from there to the library.
     instructor.key("Shift+4");
     instructor.type("lower c");
@@ -90,6 +102,9 @@ TEST(PreparingALesson, takes_under_60_keys_and_5_minutes_in_our_school_and_gives
     const auto lesson = read_lesson_text(text, kSchool.parent_path() / "made.lesson.toml", {});
     ASSERT_TRUE(lesson) << lesson.error().sentence() << text;
     EXPECT_EQ(lesson->sessions.size(), 3U);
+    EXPECT_THAT(lesson->sessions[2].steps, testing::Contains(testing::Truly([](const TaughtStep& step) {
+                    return step.kind == StepKind::Question && step.say.text == "Which corridor is this?";
+                })));
     EXPECT_EQ(lesson->landmarks[0].thing, "Trophy case");
     EXPECT_EQ(lesson->routes[0].stops.back().name, "Library");
     const auto taught = TaughtWorld::find(*lesson, scene);
