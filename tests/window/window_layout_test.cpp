@@ -204,7 +204,7 @@ TEST_F(Names, on_the_plan_never_cover_each_other_or_a_sign) {
     std::uniform_real_distribution<float> across(0.0F, 600.0F), down(0.0F, 400.0F);
     const PixelBox inside{Vec2(0.0), Vec2(600.0, 400.0)};
     for (int round = 0; round < 200; ++round) {
-        std::vector<Label> labels;
+        std::vector<window::Label> labels;
         for (int i = 0; i < 60; ++i)
             labels.push_back({i % 3 ? "Room " + std::to_string(i) : "Assembly hall on the ground floor",
                               {across(random), down(random)},

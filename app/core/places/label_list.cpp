@@ -196,6 +196,10 @@ void LabelList::open_materials(Label label, double now_s) {
 }
 
 void LabelList::put(const Label& label, double now_s) {
+    const std::vector<Feature>& features = world_.scene->features;
+    const bool renamed =
+        !label.called.empty() && std::none_of(features.begin(), features.end(),
+                                              [&](const Feature& feature) { return feature.name == label.called; });
     keep_label(context_.additions, label);
     const std::vector<Label> labels{label};
     if (changes(*world_.scene, labels)) {
@@ -203,9 +207,13 @@ void LabelList::put(const Label& label, double now_s) {
         world_.movers.follow(world_.scene->movers);
         if (!label.material.empty()) on_material(now_s);
     }
-    const std::string& name = label.called.empty() ? label.thing : label.called;
+    const std::string was = sentence_case(one_line(spoken_kind(label.thing)));
     context_.keep_and_answer(
-        phrase("labels.done", {{"name", sentence_case(one_line(label.called.empty() ? spoken_kind(name) : name))},
+        phrase("labels.done", {{"named", renamed ? "yes" : "no"},
+                               {"was", was},
+                               {"name", renamed ? one_line(label.called)
+                                                : sentence_case(one_line(label.called.empty() ? spoken_kind(label.thing)
+                                                                                              : label.called))},
                                {"kind", kind_word(label.kind)},
                                {"known", label.material.empty() ? "no" : "yes"},
                                {"material", spoken_material(label.material)}}),

@@ -52,7 +52,8 @@ TEST(Labels, that_a_sentence_gives_are_used_at_once_and_in_the_next_session) {
     const World world;
     {
         Person p(world.path);
-        EXPECT_EQ(p.line("call this workbench, landmark, wood"), "Workbench is labelled: a landmark, made of wood.");
+        EXPECT_EQ(p.line("call this workbench, landmark, wood"),
+                  "Table is now called workbench: a landmark, made of wood.");
         EXPECT_THAT(p.request(Command::AheadOfMe), HasSubstr("Workbench, 3 steps ahead"));
     }
     Person p(world.path);
@@ -70,7 +71,7 @@ TEST(Labels, can_be_chosen_from_a_list_and_removed_again) {
     EXPECT_EQ(p.app.keys().find("Alt+E"), Command::Label);
     EXPECT_THAT(p.request(Command::Label), StartsWith("Label Table"));
     EXPECT_THAT(p.line("name"), HasSubstr("Type a name"));
-    EXPECT_THAT(p.line("Workbench"), StartsWith("Workbench is labelled: a thing."));
+    EXPECT_THAT(p.line("Workbench"), StartsWith("Table is now called Workbench: a thing."));
     p.request(Command::Label);
     p.line("kind");
     EXPECT_EQ(p.line("clue"), "Workbench is labelled: a clue.");
