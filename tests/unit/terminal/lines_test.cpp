@@ -24,7 +24,7 @@ TEST(ParseTerminalLine, accepts_every_command_of_the_table_with_an_optional_coun
         if (line->choice.empty()) EXPECT_EQ(line->times, 3) << row.word;
         else EXPECT_EQ(line->choice, "3") << row.word;
     }
-    EXPECT_EQ(choose, 9) << "describe, storeys, routes, find, places, presets, ways, rooms learnt, learners";
+    EXPECT_EQ(choose, 10) << "describe, storeys, routes, find, places, presets, ways, rooms learnt, learners, label";
     EXPECT_TRUE(parse_terminal_line("QUIT")->leave);
     EXPECT_FALSE(parse_terminal_line("  ")->command);
 }
