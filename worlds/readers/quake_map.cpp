@@ -146,7 +146,7 @@ private:
         else if (!entity.brushes.empty() || !entity.patches.empty()) read_brushes(entity, class_name, index);
         else if (!world && !class_name.empty() && !class_name.starts_with("info_player_") &&
                  class_name.find("light") != 0 && !class_name.starts_with("ambient_") && !is_particles(class_name) &&
-                 class_name != "target_speaker")
+                 class_name != "target_speaker" && class_name != "info_notnull")  // info_notnull is only a position
             ++shapeless_things_;
     }
 

@@ -166,7 +166,7 @@ SpokenLeg spoken_leg(const SessionContext& context, const DirectionsFloor& floor
         at.leg.door == navigation::kNothing ? nullptr : &floor.ground.doors()[at.leg.door];
     if (door) {
         const bool shut = open[at.leg.door] == navigation::DoorState::Shut;
-        spoken.to = door_words(context, *door, shut);
+        if (!at.at_passage) spoken.to = door_words(context, *door, shut);
         // A route that ends in front of a door does not lead through it.
         const bool through = shut && at.goal.empty();
         spoken.open = through && context.world.scene->movers[door->mover].by_hand;

@@ -40,6 +40,7 @@ struct LegAt {
     std::string goal;
     Vec3 from_m{0.0};
     int from_notch = 0;
+    bool at_passage = false;  // true: `goal` is a passage at the end of the leg, so its door is called by that name
 };
 SpokenLeg spoken_leg(const SessionContext& context, const DirectionsFloor& floor, const LegAt& at,
                      const navigation::DoorsOpen& open);

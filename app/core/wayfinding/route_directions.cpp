@@ -166,7 +166,10 @@ LegAt RouteDirections::leg_at(std::size_t which) const {
     LegAt at{legs[which], 0, {}, {}, {}, 0};
     at.notch = ((notch % navigation::kNotches) + navigation::kNotches) % navigation::kNotches;
     at.planned_from_m = which == 0 ? way_.from_m : legs[which - 1].to_m;
-    if (way_.route->whole && which + 1 == legs.size()) at.goal = goal_;
+    if (way_.route->whole && which + 1 == legs.size()) {
+        at.goal = goal_;
+        at.at_passage = end_.at_passage;
+    }
     at.from_m = context_.avatar.feet_m();
     at.from_notch = navigation::nearest_notch(context_.avatar.heading_goal_rad);
     return at;

@@ -19,6 +19,7 @@ namespace handrail::core {
 struct DirectionsEnd {
     std::uint32_t room = navigation::kNothing;  // kNothing: the end is the place
     Vec3 place_m{0.0};                          // the middle of the room, or the place
+    bool at_passage = false;  // true: at the place, a passage comes that has no legs, such as a locked door
 };
 
 class RouteDirections : SessionPart {

@@ -35,7 +35,7 @@ std::optional<RouteStage> first_stage(const SessionContext& context, const navig
     // A walker nearer than kAtPassage_m is at the passage. The stage ends kBefore_m before it.
     constexpr double kAtPassage_m = 1.5, kBefore_m = 0.5;
     const auto passage = without_legs(context, route);
-    if (!passage) return RouteStage{end, name, false};
+    if (!passage) return RouteStage{end, name};
     if (passage->at_m < kAtPassage_m) return std::nullopt;
     // The door of a lift is announced as the lift behind it.
     const auto shown =
@@ -44,9 +44,9 @@ std::optional<RouteStage> first_stage(const SessionContext& context, const navig
                    (other.kind == navigation::PassageKind::Lift || !is_of_lift(context, other.feature));
         });
     const navigation::RoutePassage& named = shown == route.passages.end() ? *passage : *shown;
-    return RouteStage{{navigation::kNothing, navigation::place_along(route.points_m, passage->at_m - kBefore_m)},
-                      passage_now(context, named.kind, named.feature, named.rise_m),
-                      true};
+    const Vec3 before_m = navigation::place_along(route.points_m, passage->at_m - kBefore_m);
+    return RouteStage{{navigation::kNothing, before_m, true},
+                      passage_now(context, named.kind, named.feature, named.rise_m)};
 }
 
 }  // namespace handrail::core

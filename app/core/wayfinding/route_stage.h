@@ -21,8 +21,7 @@ std::optional<navigation::RoutePassage> without_legs(const SessionContext& conte
 // The present stage of a route.
 struct RouteStage {
     DirectionsEnd end;
-    std::string name;             // name of that end, as the last leg announces it
-    bool before_passage = false;  // true: the stage ends at a passage without legs; false: at the end of the route
+    std::string name;  // name of that end, as the last leg announces it
 };
 // Returns the stage that begins at the beginning of the route, which leads to `end` with this name. Returns no value if
 // a passage without legs is right there, so that it comes next.

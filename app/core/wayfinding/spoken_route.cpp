@@ -93,7 +93,7 @@ bool SpokenRoute::follow_by_legs(const DirectionsEnd& end, FarRoute far, const s
 bool SpokenRoute::begin_legs(const navigation::Route& route, const DirectionsEnd& end, const std::string& name) {
     const auto stage = first_stage(context_, route, end, name);
     if (!stage) return false;
-    to_passage_ = stage->before_passage;
+    to_passage_ = stage->end.at_passage;
     if (!to_passage_) preference_ = navigation::RoutePreference::OnFoot;
     directions_.begin(stage->end, stage->name);
     return directions_.at_work();

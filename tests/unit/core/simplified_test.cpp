@@ -281,14 +281,14 @@ TEST(Simplified, view_widens_doorless_openings_as_soon_as_the_rooms_are_found) {
 }
 
 // Waits in real time until no background task has run for half a second of the session, because tasks may run on a
-// thread and one may start another. Returns what the session said.
+// thread and one may start another. The rooms widen openings, so it waits for them, too. Returns what the session said.
 std::string wait_for_touch(Session& app, double& now) {
     std::string said;
     int idle_frames = 0;
     test::eventually([&] {
         app.tick(now += 1.0 / 60.0, {});
         for (const CueRequest& cue : app.take_cues()) said += cue.text + "\n";
-        idle_frames = app.works_in_background() ? 0 : idle_frames + 1;
+        idle_frames = app.works_in_background() || app.finds_rooms() ? 0 : idle_frames + 1;
         return idle_frames >= 30;
     });
     app.tick(now += 1.0 / 60.0, {});
