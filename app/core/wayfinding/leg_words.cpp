@@ -191,6 +191,7 @@ SpokenLeg spoken_leg(const SessionContext& context, const DirectionsFloor& floor
     }
     spoken.steps = std::max(1, static_cast<int>(std::lround(walked.paced.walked_m / floor.step_m)));
     add_flight(spoken, floor, walked);
+    if (at.at_passage) return spoken;
     if (!door && walked.body.span != navigation::kNothing)
         if (const auto met =
                 walker_meets(*context.world.solids, floor.ground.feet_m(walked.body), context.avatar.walker->size(),
