@@ -127,9 +127,7 @@ public:
     double passage_width_m() const { return walk_.walking.passage_width_m(); }
 
     // Returns true while a background task makes a scene.
-    bool works_in_background() const { return hand_.touch_view.busy() || settled_.busy(); }
-    // Returns true while the rooms of the world are being searched for.
-    bool finds_rooms() const { return where_.rooms.awaited(); }
+    bool works_in_background() const { return hand_.touch_view.busy() || settled_.busy() || where_.rooms.awaited(); }
 
     // Returns a sentence with questions that would have worked instead of this line; empty if there is none.
     std::string question_hint(std::string_view line) const { return questions_.answers.hint(line); }

@@ -288,7 +288,7 @@ std::string wait_for_touch(Session& app, double& now) {
     test::eventually([&] {
         app.tick(now += 1.0 / 60.0, {});
         for (const CueRequest& cue : app.take_cues()) said += cue.text + "\n";
-        idle_frames = app.works_in_background() || app.finds_rooms() ? 0 : idle_frames + 1;
+        idle_frames = app.works_in_background() ? 0 : idle_frames + 1;
         return idle_frames >= 30;
     });
     app.tick(now += 1.0 / 60.0, {});
