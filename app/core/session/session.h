@@ -126,7 +126,7 @@ public:
     // open.
     double passage_width_m() const { return walk_.walking.passage_width_m(); }
 
-    // Returns true while a background task makes a scene.
+    // Returns true while a background task makes a scene or searches for the rooms of the world.
     bool works_in_background() const { return hand_.touch_view.busy() || settled_.busy() || where_.rooms.awaited(); }
 
     // Returns a sentence with questions that would have worked instead of this line; empty if there is none.
