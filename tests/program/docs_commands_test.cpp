@@ -208,11 +208,13 @@ public:
     Words arguments(Words words) const {
         static const std::set<std::string> kWritten{"--swell", "--stl",  "--route-card", "--html",    "--page",
                                                     "--csv",   "--json", "--junit",      "--scenario"};
-        const bool json_is_a_file = !words.empty() && words.front() == "report";
+        const bool json_is_a_file = !words.empty() && words.front() == "report",
+                   to_is_a_file = !words.empty() && words.front() == "learner";
         for (std::size_t i = 0; i < words.size(); ++i) {
             std::string& word = words[i];
             const bool written =
-                i > 0 && kWritten.contains(words[i - 1]) && (words[i - 1] != "--json" || json_is_a_file);
+                i > 0 && ((kWritten.contains(words[i - 1]) && (words[i - 1] != "--json" || json_is_a_file)) ||
+                          (to_is_a_file && words[i - 1] == "--to"));
             if (written)
                 word =
                     (folder_.path() / ("written-" + std::to_string(i) + fs::path(word).filename().string())).string();
