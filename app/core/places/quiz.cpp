@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/core/dialogue/words.h"
 #include "worlds/base/language.h"
 
 namespace handrail::core {
@@ -58,9 +59,9 @@ void Quiz::pose(Round round, const std::string& before, double now_s) {
     const PlaceQuestion& question = round.questions[round.at];
     context_.session_requests.place(question.place_m, question.heading_rad, now_s);
     TextSpec text;
-    text.question = (before.empty() ? "" : before + " ") +
-                    phrase("quiz.question",
-                           {{"number", round.at + 1}, {"count", round.questions.size()}, {"question", question.text}});
+    text.question = beside(
+        before, phrase("quiz.question",
+                       {{"number", round.at + 1}, {"count", round.questions.size()}, {"question", question.text}}));
     text.left = [this, round] { end(round, {}, context_.tick_s); };
     text.done = [this, round](const std::string& typed) mutable {
         const PlaceQuestion& asked = round.questions[round.at];
@@ -76,9 +77,7 @@ void Quiz::pose(Round round, const std::string& before, double now_s) {
 
 void Quiz::end(const Round& round, const std::string& before, double now_s) {
     context_.session_requests.place(round.feet_m, round.heading_rad, now_s);
-    context_.answer(
-        (before.empty() ? "" : before + " ") + phrase("quiz.done", {{"right", round.right}, {"count", round.at}}),
-        now_s);
+    context_.answer(beside(before, phrase("quiz.done", {{"right", round.right}, {"count", round.at}})), now_s);
 }
 
 }  // namespace handrail::core

@@ -64,7 +64,7 @@ bool Footing::held_at_edge(const WalkerMotion& before, Paces& paces, double now_
         if (edge_.confirmed && now_s - edge_.at_s > kEdgeConfirm_s + 1.0) edge_.confirmed = false;
         return false;
     }
-    // Below an edge with no depth is no floor, so nobody goes over it.
+    // If an edge has no depth, there is no floor below it, so nobody goes over it.
     if (edge_.confirmed && drop->depth_m) return false;
     avatar_.walker->resume(before);
     if (std::exchange(edge_.held, true)) return true;
@@ -167,8 +167,8 @@ void Footing::announce_ahead(double now_s) {
             phrase("walking.drop", {{"distance", distance_words(ahead.drop->distance_m, distances(context_))}}), now_s);
 }
 
-// Plays a beat before an edge unless the cane is to find the edge, and a knock from a door that the walker faces. It is
-// silent while the person stands still.
+// Plays a beat before an edge, and a knock from a door that the walker faces. With the cane out, the beat is left out,
+// because the cane finds the edge. Nothing plays while the person stands still.
 void Footing::beat_ahead(double now_s) {
     if (now_s - looked_.moved_s > kStill_s) return;
     if (looked_.ahead.drop && !avatar_.cane_out) {
