@@ -66,6 +66,11 @@ bool Cane::act(Command command, double now_s) {
                 context_.answer(phrase("cane.not_out", {{"key", context_.keys.keys_of(Command::Cane)}}), now_s);
                 return true;
             }
+            if (context_.hands.tuning.panic) {
+                context_.answer(phrase("session.stopped_sounds", {{"key", context_.keys.keys_of(Command::ToggleForces)}}),
+                                now_s);
+                return true;
+            }
             const double side = command == Command::CaneRight ? 1.0 : -1.0;
             const double end_rad = std::max(arc_rad(), side * bearing_rad_ + kNotch_rad);
             goal_rad_ = side * std::min(side * bearing_rad_ < arc_rad() - 0.01 ? arc_rad() : end_rad, kWidest_rad);
@@ -94,7 +99,10 @@ void Cane::tick(double now_s, double dt_s) {
     const Vec3 moved = avatar_.feet_m() - std::exchange(feet_m_, avatar_.feet_m());
     const double walked_m = std::min(std::hypot(moved.x, moved.y), kMostPerTick_m);
     since_step_m_ = std::abs(moved.z) >= kStepFelt_m ? 0.0 : since_step_m_ + walked_m;
-    if (!avatar_.walker->state().on_ground || context_.hands.tuning.panic) return;
+    if (!avatar_.walker->state().on_ground || context_.hands.tuning.panic) {
+        goal_rad_.reset();  // otherwise the terminal waits for the end of the sweep
+        return;
+    }
     if (const bool swept = goal_rad_.has_value(); sweep_by_person(now_s, dt_s)) {
         put(true, now_s);
         // A sweep that met nothing gets an answer too.

@@ -150,6 +150,25 @@ TEST(Cane, is_swept_by_keys_by_the_stick_and_by_the_hand) {
     EXPECT_THAT(person.said, Contains(HasSubstr("Left post")));
 }
 
+// A sweep that never ended would keep the terminal waiting before it takes the next line.
+TEST(Cane, ends_its_sweep_and_makes_no_sound_while_everything_is_stopped) {
+    SceneBuilder b = on_a_floor();
+    b.box({-1.2, -1, 0}, {-1.0, 1, 1}, "left post", SolidRole::Solid, "metal");
+    WithCane person(b.share());
+    person.take_out(CaneTechnique::ConstantContact);
+    person.cane.act(Command::CaneLeft, person.now_s);
+    person.tick();
+    person.said.clear();
+    person.plain.hands.tuning.panic = true;
+    person.run(0.5);
+    EXPECT_TRUE(person.cane.idle());
+    EXPECT_THAT(person.said, IsEmpty());
+    person.cane.act(Command::CaneRight, person.now_s);
+    person.tick();
+    EXPECT_TRUE(person.cane.idle());
+    EXPECT_THAT(person.said, Contains(HasSubstr("turns sounds on again")));
+}
+
 TEST(Cane, follows_the_shoreline_and_tells_where_it_ends) {
     SceneBuilder b = on_a_floor();
     b.box({0.7, -5, 0}, {0.9, 5, 2.5}, "wall", SolidRole::Solid, "brick", FeatureKind::Wall);
