@@ -17,9 +17,9 @@ constexpr double kFieldOfView_rad = kPi / 3.0;  // vertical field of view
 constexpr double kNear_m = 0.02;
 constexpr float kDarkerFrom_m = 4.0F;  // surfaces farther from the eyes than this are darker
 constexpr double kSmallestInInset = 0.06;
-constexpr double kInsetPart = 0.36;  // size of the picture of a hand that is out of view, as a part of the whole
-// Width of an outline as a fraction of the picture's height. The white core of the outline is a third of this width.
-constexpr float kEdgePart = 1.0F / 100.0F;
+constexpr double kInsetPart = 0.36;         // size of the picture of a hand that is out of view, as a part of the whole
+constexpr float kEdgePart = 1.0F / 100.0F;  // width of an outline as a part of the picture's height
+constexpr float kCorePart = 0.34F;          // width of an outline's white core as a part of the outline's
 
 constexpr const char* kSurfaceVertex = R"(#version 330 core
 layout(location = 0) in vec3 position_m;
@@ -81,14 +81,12 @@ uniform vec3 origin_from_eye_m;
 uniform mat3 turn;
 uniform vec2 half_size_px;
 uniform float half_width_px;
-out float across;
 const float pull = 0.995;
 const float nearest_m = 0.1;
 void main() {
     int corner = gl_VertexID & 3;
     vec4 a = clip_from_eye * vec4((turn * a_m + origin_from_eye_m) * pull, 1.0);
     vec4 b = clip_from_eye * vec4((turn * b_m + origin_from_eye_m) * pull, 1.0);
-    across = (corner & 1) == 0 ? 1.0 : -1.0;
     if (a.w < nearest_m && b.w < nearest_m) {
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
         return;
@@ -97,18 +95,17 @@ void main() {
     else if (b.w < nearest_m) b = mix(b, a, (nearest_m - b.w) / (a.w - b.w));
     vec2 along = b.xy / b.w * half_size_px - a.xy / a.w * half_size_px;
     along = dot(along, along) > 1e-12 ? normalize(along) : vec2(1.0, 0.0);
-    vec2 sideways = vec2(-along.y, along.x) * across;
+    vec2 sideways = vec2(-along.y, along.x) * ((corner & 1) == 0 ? 1.0 : -1.0);
     vec4 end = corner < 2 ? a : b;
-    end /= end.w;   // both ends lie in front of the eye, so the card need not, and clipping cannot bend `across`
+    end /= end.w;   // both ends lie in front of the eye, so the card need not
     end.xy += (sideways + (corner < 2 ? -along : along)) * half_width_px / half_size_px;
     gl_Position = end;
 })";
 
-// The line is black with a white core, because one of the two colours stands out on any surface.
 constexpr const char* kEdgeFragment = R"(#version 330 core
-in float across;
+uniform float grey;
 out vec4 shown;
-void main() { shown = vec4(vec3(abs(across) < 0.34 ? 1.0 : 0.0), 1.0); })";
+void main() { shown = vec4(vec3(grey), 1.0); })";
 
 constexpr const char* kProxyVertex = R"(#version 330 core
 uniform mat4 clip_from_eye;
@@ -302,10 +299,16 @@ void FirstPerson::draw_seen(const core::ViewState& view, UploadedScene& scene, c
     edge_program_.use();
     edge_program_.set("clip_from_eye", clip_from_eye);
     edge_program_.set("half_size_px", 0.5F * glm::vec2(picture.width, picture.height));
-    edge_program_.set("half_width_px",
-                      std::max(1.5F, 0.5F * kEdgePart * static_cast<float>(view.display.outline_width) *
-                                         static_cast<float>(window.height)));
-    draw_parts(edge_program_, [](UploadedMesh& mesh) { mesh.draw_edges(); });
+    // A line is black with a white core, because one of the two colours stands out on any surface. The cores are drawn
+    // after all black lines, which leave no depth behind, so that no line hides the core of another where they meet.
+    const float half_width_px = std::max(
+        1.5F, 0.5F * kEdgePart * static_cast<float>(view.display.outline_width) * static_cast<float>(window.height));
+    for (const bool core : {false, true}) {
+        glDepthMask(core ? GL_TRUE : GL_FALSE);
+        edge_program_.set("half_width_px", core ? kCorePart * half_width_px : half_width_px);
+        edge_program_.set("grey", core ? 1.0F : 0.0F);
+        draw_parts(edge_program_, [](UploadedMesh& mesh) { mesh.draw_edges(); });
+    }
 
     if (view.show_hand) draw_proxy(view, camera, clip_from_eye, right, up);
 

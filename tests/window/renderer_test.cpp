@@ -2,6 +2,8 @@
 
 #include <ctime>
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 #include "app/window/draw_mesh.h"
 #include "app/window/large_text.h"
@@ -128,6 +130,99 @@ TEST_F(RendererTest, a_corner_has_a_white_line_with_black_next_to_it) {
     }
     EXPECT_GE(whites, 1);
     EXPECT_GE(blacks, 2);
+}
+
+// Returns which flat face of the scene a ray meets first, as its plane: one face for all pieces of a wall. Tries every
+// solid in turn, independently of the code that draws.
+std::optional<Plane> face_met(const Scene& scene, const Vec3& eye_m, const Vec3& direction) {
+    std::optional<Plane> met;
+    double nearest = 1e9;
+    for (const Solid& solid : scene.solids) {
+        double enter = 0.0, leave = 1e9;
+        const Plane* entered = nullptr;
+        for (const Plane& plane : solid.shape.planes) {
+            const double along = glm::dot(plane.normal, direction),
+                         gap_m = plane.offset_m - glm::dot(plane.normal, eye_m);
+            if (along < 0.0 && gap_m / along > enter) enter = gap_m / along, entered = &plane;
+            if (along > 0.0) leave = std::min(leave, gap_m / along);
+            if (along == 0.0 && gap_m < 0.0) leave = -1.0;
+        }
+        if (entered && enter < leave && enter < nearest) nearest = enter, met = *entered;
+    }
+    return met;
+}
+
+bool same_face(const std::optional<Plane>& a, const std::optional<Plane>& b) {
+    return a.has_value() == b.has_value() &&
+           (!a || (a->normal == b->normal && std::abs(a->offset_m - b->offset_m) < 1e-9));
+}
+
+constexpr int kOutline_px = 6, kWide_px = 16;  // half of an outline with its border; the width of a face to judge
+
+// Returns the places in a row of pixels, given the face that each pixel shows, where one face ends and another begins,
+// both of them wider than their outlines.
+std::vector<int> borders_in(const std::vector<std::optional<Plane>>& faces) {
+    std::vector<int> borders;
+    int begin = 0, last = -1;
+    for (int i = 1; i <= static_cast<int>(faces.size()); ++i) {
+        const std::size_t at = static_cast<std::size_t>(i);
+        if (at < faces.size() && same_face(faces[at - 1], faces[at])) continue;
+        if (i - begin < kWide_px) last = -1;
+        else if (last >= 0) borders.push_back(last);
+        if (i - begin >= kWide_px) last = i;
+        begin = i;
+    }
+    return borders;
+}
+
+// At a border between two faces, their colours differ by 3:1, or the outline differs by 3:1 from both.
+bool set_apart(const std::vector<Rgb>& colours, int border) {
+    const auto at = [&](int i) { return colours[static_cast<std::size_t>(i)]; };
+    const Rgb before = at(border - kWide_px + 2), after = at(border + kWide_px - 2);
+    bool apart = contrast(before, after) >= 3.0;
+    for (int i = border - kOutline_px; i < border + kOutline_px; ++i)
+        apart = apart || (contrast(at(i), before) >= 3.0 && contrast(at(i), after) >= 3.0);
+    return apart;
+}
+
+TEST_F(RendererTest, neighbouring_faces_of_the_view_ahead_differ_by_three_to_one) {
+    const double focal_px = 0.5 * kPictureHeight_px / std::tan(radians_from_degrees(30.0));
+    const int height_px = static_cast<int>(kPictureHeight_px);
+    for (const settings::ColourSet set : {settings::ColourSet::Dark, settings::ColourSet::Light,
+                                          settings::ColourSet::HighContrast, settings::ColourSet::ColourSafe})
+        for (const double heading_degrees : {0.0, 45.0, 90.0, 200.0, 300.0}) {
+            ViewState view = view_in(small_room(), 3.5, 2.0, heading_degrees);
+            view.display.colours = set;
+            const Picture picture = draw(view);
+            const Vec3 ahead = forward_of_heading(view.heading_rad), right = right_of_heading(view.heading_rad);
+            int borders = 0;
+            const auto face_at = [&](const glm::ivec2& px) {
+                return face_met(*view.scene, view.eyes_m,
+                                ahead + (px.x + 0.5 - 0.5 * kSize.width) / focal_px * right +
+                                    Vec3(0.0, 0.0, (kMiddle_px - px.y - 0.5) / focal_px));
+            };
+            const auto check_row = [&](const glm::ivec2& from, const glm::ivec2& step, int length) {
+                std::vector<std::optional<Plane>> faces;
+                std::vector<Rgb> colours;
+                for (int i = 0; i < length; ++i) {
+                    faces.push_back(face_at(from + i * step));
+                    colours.push_back(picture.at(from.x + i * step.x, from.y + i * step.y));
+                }
+                for (const int border : borders_in(faces)) {
+                    const glm::ivec2 at = from + border * step, beside(2 * step.y, 2 * step.x);
+                    // Rows meet level borders, and columns upright ones, at too small an angle.
+                    if (!same_face(face_at(at - 3 * step + beside), face_at(at - 3 * step - beside)) ||
+                        !same_face(face_at(at + 3 * step + beside), face_at(at + 3 * step - beside)))
+                        continue;
+                    ++borders;
+                    EXPECT_TRUE(set_apart(colours, border)) << "set " << static_cast<int>(set) << ", heading "
+                                                            << heading_degrees << ", pixel " << at.x << ", " << at.y;
+                }
+            };
+            for (int y = 20; y < height_px - 20; y += 7) check_row({0, y}, {1, 0}, kSize.width);
+            for (int x = 20; x < kSize.width - 20; x += 7) check_row({x, 0}, {0, 1}, height_px);
+            EXPECT_GT(borders, 100) << "set " << static_cast<int>(set) << ", heading " << heading_degrees;
+        }
 }
 
 TEST_F(RendererTest, a_line_that_continues_below_the_eye_keeps_its_white_core) {
