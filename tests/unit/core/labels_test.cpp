@@ -85,6 +85,19 @@ TEST(Labels, can_be_chosen_from_a_list_and_removed_again) {
     EXPECT_EQ(SideFile::of_world(world.path, {}).entries("landmark").size(), 0U);
 }
 
+TEST(Labels, belong_to_the_thing_that_is_said_to_be_ahead_and_not_to_the_wall_behind_it) {
+    const test::TemporaryFolder folder;
+    const fs::path path = folder.path() / "first_room.map";
+    fs::copy_file(test::bundled_world("first_room.map"), path);
+    Person p(path);
+    for (int i = 0; i < 2; ++i) p.tap(Command::TurnRight, 0.5);
+    EXPECT_THAT(p.request(Command::WhereAmI), HasSubstr("Ahead: Table"));
+    EXPECT_THAT(p.line("label desk"), StartsWith("Table is now called desk"));
+    for (int i = 0; i < 2; ++i) p.tap(Command::TurnLeft, 0.5);
+    EXPECT_THAT(p.request(Command::WhereAmI), HasSubstr("Ahead: north wall"));
+    EXPECT_THAT(p.line("label far end"), StartsWith("North wall is now called far end"));
+}
+
 TEST(Labels, change_what_the_hand_feels) {
     const World world;
     Person p(world.path);

@@ -84,6 +84,23 @@ TEST(ExportCommand, writes_routes_in_words_for_print_and_for_braille) {
     EXPECT_THAT(here.err, testing::HasSubstr("The route begins in Hall already."));
 }
 
+TEST(ExportCommand, uses_the_labels_that_a_person_gave) {
+    const TemporaryFolder folder;
+    const std::filesystem::path map = folder.path() / "first_room.map";
+    std::filesystem::copy_file(test::bundled_world("first_room.map"), map);
+    folder.write("first_room.map.handrail.toml",
+                 "[[landmark]]\ncalled = \"carpenter's bench\"\nname = \"Table\"\nplace_m = [4.4, 2.6, 0.37]\n");
+    const Outcome sheet = run({map.string(), "--swell", (folder.path() / "plan.svg").string()});
+    EXPECT_EQ(sheet.status, 0) << sheet.err;
+    EXPECT_THAT(read_whole_file(folder.path() / "plan-key-1.svg").value_or(""),
+                testing::HasSubstr("carpenter's bench"));
+    const Outcome card =
+        run({map.string(), "--route-card", (folder.path() / "card.txt").string(), "--to", "carpenter's bench"});
+    EXPECT_EQ(card.status, 0) << card.err;
+    EXPECT_THAT(read_whole_file(folder.path() / "card.txt").value_or(""),
+                testing::HasSubstr("From the base to carpenter's bench."));
+}
+
 TEST(ExportCommand, exits_with_status_1_and_suggests_help_if_a_sheet_breaks_its_promises) {
     const TemporaryFolder folder;
     // The hall has two closets. They are too small for signs, so a finger could not tell which closet is which.
