@@ -26,6 +26,11 @@ namespace {
 constexpr std::size_t kMostNear = 3;         // similar names in the sentence about an unknown place
 constexpr std::size_t kLargestLink = 65536;  // bytes; a link has two lines
 
+struct FoundPlace {
+    std::string name;
+    Vec3 place_m{0.0};
+};
+
 // Names of places of one kind. The names are hidden entries, because nobody has seen the list, so a number is no
 // number of an entry.
 struct Names {
@@ -36,6 +41,7 @@ struct Names {
         list.hidden.push_back({std::move(name), {}});
         places_m.push_back(place_m);
     }
+    FoundPlace entry(std::size_t i) const { return {list.hidden[i].name, places_m[i]}; }
 };
 
 Names rooms_in(const navigation::RoomGraph& graph) {
@@ -57,11 +63,11 @@ Names things_in(const Scene& scene, const core::SideFile& additions) {
 
 // Chooses as Session::choose does: a room with the complete name, else a thing with the complete name, else what begins
 // with the name.
-std::optional<Vec3> place_called(const Names& rooms, const Names& things, const std::string& name) {
+std::optional<FoundPlace> place_called(const Names& rooms, const Names& things, const std::string& name) {
     const auto room = core::entry_called(rooms.list, name), thing = core::entry_called(things.list, name);
     if (room && (core::is_called(rooms.list, *room, name) || !thing || !core::is_called(things.list, *thing, name)))
-        return rooms.places_m[*room];
-    if (thing) return things.places_m[*thing];
+        return rooms.entry(*room);
+    if (thing) return things.entry(*thing);
     return std::nullopt;
 }
 
@@ -97,10 +103,10 @@ Result<core::Placed> start_place(const std::shared_ptr<const Scene>& scene, cons
         rooms = rooms_in(found.graph());
     }
     const Names things = things_in(*scene, additions);
-    const auto place_m = place_called(rooms, things, wanted.name);
-    if (!place_m) return tl::unexpected(unknown_place(rooms, things, wanted.name));
-    const auto floor_m = found.found() ? found.navigation().nearest_place(*place_m) : std::nullopt;
-    return core::Placed{floor_m.value_or(*place_m), heading_rad};
+    std::optional<FoundPlace> place = place_called(rooms, things, wanted.name);
+    if (!place) return tl::unexpected(unknown_place(rooms, things, wanted.name));
+    const auto floor_m = found.found() ? found.navigation().nearest_place(place->place_m) : std::nullopt;
+    return core::Placed{floor_m.value_or(place->place_m), heading_rad, std::move(place->name)};
 }
 
 Result<PlaceLink> read_link(const std::filesystem::path& file, const settings::TomlReader& toml) {

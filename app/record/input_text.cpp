@@ -100,6 +100,15 @@ core::LastPlace last_place_of(const Json& json) {
     return {world, vec_of(json.at("feet_m")), json.at("heading_rad").get<double>()};
 }
 
+Json json_of(const core::Placed& in) {
+    Json json{{"feet_m", json_of_vec(in.feet_m)}, {"heading_rad", in.heading_rad}};
+    if (!in.name.empty()) json["name"] = in.name;
+    return json;
+}
+core::Placed placed_of(const Json& json) {
+    return {vec_of(json.at("feet_m")), json.at("heading_rad").get<double>(), json.value("name", std::string())};
+}
+
 // Converts a WorldEntered to JSON, including the options of the world readers.
 Json json_of(const core::WorldEntered& in) {
     const readers::ReadOptions read = core::read_options(in.request);
@@ -109,9 +118,7 @@ Json json_of(const core::WorldEntered& in) {
               {"unit_is_known", read.unit_is_known}};
     if (!read.building.empty()) json["building"] = read.building;
     if (in.settings) json["settings"] = json_of(*in.settings);
-    if (in.begins_at)
-        json["begins_at"] =
-            Json{{"feet_m", json_of_vec(in.begins_at->feet_m)}, {"heading_rad", in.begins_at->heading_rad}};
+    if (in.begins_at) json["begins_at"] = json_of(*in.begins_at);
     if (!in.additions) return json;
     json["checksum"] = in.additions->world_checksum();
     const auto text = in.additions->path().empty() ? fail({}) : read_whole_file(in.additions->path());
@@ -134,8 +141,6 @@ RecordedWorld world_of(const Json& json) {
     world.additions = json.value("additions", std::string());
     return world;
 }
-
-core::Placed placed_of(const Json& json) { return {vec_of(json.at("feet_m")), json.at("heading_rad").get<double>()}; }
 
 Json fields_of(const core::SessionInput& input) {
     return std::visit(
@@ -206,7 +211,9 @@ Json fields_of(const core::SessionInput& input) {
                 return json;
             },
             [](const core::Placed& in) {
-                return Json{{"is", "placed"}, {"feet_m", json_of_vec(in.feet_m)}, {"heading_rad", in.heading_rad}};
+                Json json = json_of(in);
+                json["is"] = "placed";
+                return json;
             },
             [](const core::Announcement& in) {
                 return Json{{"is", "told"},

@@ -36,6 +36,10 @@ TEST(StartPlace, may_be_a_thing_by_the_beginning_of_its_name) {
     EXPECT_THAT(run.out, HasSubstr("Bathroom, facing")) << run.out;
 }
 
+TEST(StartPlace, is_named_at_once_while_the_rooms_are_still_being_searched) {
+    EXPECT_THAT(started({"house", "--at", "the kitchen"}).out, HasSubstr("20 by 23 metres. Kitchen, facing north."));
+}
+
 TEST(StartPlace, that_no_world_has_is_reported_with_similar_names_and_status_2) {
     const ProgramRun run = started({"house", "--at", "Ketchin"});
     EXPECT_EQ(run.exit_status, 2);

@@ -69,10 +69,12 @@ void Session::enter_world(EnteringWorld world, const std::optional<Placed>& begi
     state_.world.home_feet_m = state_.avatar.walker->state().feet_m;
     state_.world.home_heading_rad = state_.avatar.heading_rad = state_.avatar.heading_goal_rad =
         wrap_angle(world.heading_rad);
+    state_.world.begun_at = begins_at ? begins_at->name : std::string();
     if (begins_at) {
         state_.avatar.walker->place(begins_at->feet_m);
         state_.avatar.heading_rad = state_.avatar.heading_goal_rad = wrap_angle(begins_at->heading_rad);
     }
+    state_.world.begun_feet_m = state_.avatar.walker->state().feet_m;
     bodies_.enter_world(std::move(world.moves_freely), now_s);
     soundscape_.enter(*state_.world.scene);
     learn_.place.enter_world(now_s);

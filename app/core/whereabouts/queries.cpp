@@ -110,12 +110,16 @@ std::string Queries::describe_there(std::span<const Sight> sights) const {
 }
 
 std::string Queries::place_and_heading() const {
-    const bool home =
-        glm::length(context_.avatar.feet_m() - context_.world.home_feet_m) < 0.5 * context_.settings.walk.step_length_m;
+    const auto stands_at = [&](const Vec3& feet_m) {
+        return glm::length(context_.avatar.feet_m() - feet_m) < 0.5 * context_.settings.walk.step_length_m;
+    };
+    const bool home = stands_at(context_.world.home_feet_m);
     const bool at_door = std::any_of(context_.world.scene->features.begin(), context_.world.scene->features.end(),
                                      [](const Feature& feature) { return feature.base; });
     std::string place;
     if (const std::uint32_t room = room_here(); room != navigation::kNothing) place = rooms_.graph().rooms[room].name;
+    // Until the rooms are known, the name of the place where the person began is.
+    if (!rooms_.found() && stands_at(context_.world.begun_feet_m)) place = context_.world.begun_at;
     if (home) place = joined(place, phrase(at_door ? "questions.at_door" : "questions.at_base"));
     if (place.empty()) place = spoken_name(*context_.world.scene);
     return phrase("questions.place_facing",

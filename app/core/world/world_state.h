@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/core/kept/marks.h"
@@ -23,6 +24,8 @@ struct WorldState {
     std::unique_ptr<WalkerWorld> solids;  // the solids that a walker bumps into
     Vec3 home_feet_m{0.0};
     double home_heading_rad = 0.0;
+    std::string begun_at;     // name of the place where the person entered the world; empty: not known
+    Vec3 begun_feet_m{0.0};   // where that was
     std::vector<Mark> marks;  // the person's marks
 };
 
