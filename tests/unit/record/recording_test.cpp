@@ -313,6 +313,7 @@ TEST(RecordedInput, of_every_kind_is_read_back_unchanged) {
     WorldEntered world;
     world.request = {"/a/b.map", 1.0 / 64.0, {}, "Annex"};
     world.settings.emplace().workspace.scale = 8.0;
+    world.begins_at = Placed{{1.0, 2.0, 1.0 / 3.0}, 0.5, "Kitchen \"annex\""};
     inputs.emplace_back(std::move(world));
     for (const SessionInput& input : inputs) {
         const std::string line = input_line(input, 1234.5678901234, 77, 1000.0);
