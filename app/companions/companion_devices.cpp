@@ -109,7 +109,8 @@ bool CompanionDevices::serve(Plugged& plugged, const device::FingerCue& cue, dou
     const std::uint32_t was = plugged.state.buttons;
     if (!plugged.device->read(plugged.state, now_s)) return false;
     sum = {together(sum.ahead, plugged.state.ahead), together(sum.right, plugged.state.right),
-           together(sum.turn_right, plugged.state.turn_right)};
+           together(sum.turn_right, plugged.state.turn_right),
+           sum.cane_right_rad_per_s + plugged.state.yaw_right_rad_per_s};
     for (unsigned i = 0; i < kButtons; ++i) {
         if (!((plugged.state.buttons & ~was) >> i & 1U)) continue;
         const std::lock_guard guard(mutex_);

@@ -12,7 +12,8 @@ CompanionSession::CompanionSession(Clock& clock, bool run_thread) : devices_(clo
 }
 
 std::vector<std::string> CompanionSession::guide(core::Session& app, double now_s, bool busy_elsewhere) {
-    const core::Steering steering = busy_elsewhere ? core::Steering{} : devices_.steering();
+    core::Steering steering = busy_elsewhere ? core::Steering{} : devices_.steering();
+    if (!app.avatar().cane_out) steering.cane_right_rad_per_s = 0.0;  // a pad moves in the hand all the time
     if (steering != steering_) app.apply(core::Steered{steering}, now_s);
     steering_ = steering;
     for (const core::Command command : devices_.take_commands()) {

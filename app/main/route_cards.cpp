@@ -59,7 +59,7 @@ public:
     std::vector<std::string> legs(const Vec3& from_m, double heading_rad, const CardPlace& to) {
         session_.apply(core::Placed{from_m, heading_rad}, now_s_);
         // Tick the session until the walker stands on the floor.
-        for (int i = 0; i < 30 && (i < 2 || !session_.standing()); ++i)
+        for (int i = 0; i < 30 && (i < 2 || !session_.avatar().walker->state().on_ground); ++i)
             session_.tick(now_s_ += core::kFrame_s, servo::ToolState{});
         const bool leads = session_.guide().follow_to(to.at_m, to.name, to.room, now_s_);
         for (int i = 0; i < 10 && leads && session_.guide().plans_rest(); ++i)

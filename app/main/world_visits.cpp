@@ -208,7 +208,7 @@ bool WorldVisits::give_up_reading(double now_s) {
 }
 
 void WorldVisits::note_place(double now_s) {
-    if (app_.standing()) trace_.note({here_, app_.feet_m(), app_.heading_rad()}, now_s);
+    if (app_.avatar().walker->state().on_ground) trace_.note({here_, app_.feet_m(), app_.heading_rad()}, now_s);
 }
 
 }  // namespace handrail::program

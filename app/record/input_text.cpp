@@ -173,10 +173,13 @@ Json fields_of(const core::SessionInput& input) {
                             {"number", in.act.number}};
             },
             [](const core::Steered& in) {
-                return Json{{"is", "steered"},
-                            {"ahead", in.steering.ahead},
-                            {"right", in.steering.right},
-                            {"turn_right", in.steering.turn_right}};
+                Json json{{"is", "steered"},
+                          {"ahead", in.steering.ahead},
+                          {"right", in.steering.right},
+                          {"turn_right", in.steering.turn_right}};
+                if (in.steering.cane_right_rad_per_s != 0.0)
+                    json["cane_right_rad_per_s"] = in.steering.cane_right_rad_per_s;
+                return json;
             },
             [](const core::FocusChanged& in) {
                 return Json{{"is", "focus"}, {"focused", in.focused}};
@@ -288,8 +291,8 @@ const std::map<std::string, ReadFields, std::less<>>& readers() {
          }},
         {"steered",
          [](const Json& j) -> core::SessionInput {
-             return core::Steered{
-                 {j.at("ahead").get<double>(), j.at("right").get<double>(), j.at("turn_right").get<double>()}};
+             return core::Steered{{j.at("ahead").get<double>(), j.at("right").get<double>(),
+                                   j.at("turn_right").get<double>(), j.value("cane_right_rad_per_s", 0.0)}};
          }},
         {"focus", [](const Json& j) -> core::SessionInput { return core::FocusChanged{j.at("focused").get<bool>()}; }},
         {"stops",

@@ -36,6 +36,8 @@ enum class CompanionButton : std::uint8_t {
 
 struct CompanionState {
     double ahead = 0.0, right = 0.0, turn_right = 0.0;  // deflections from -1 to 1, after dead band and curve
+    // Rate of turn of a pad with a motion sensor, clockwise from above, in rad/s; 0 while the pad is held still.
+    double yaw_right_rad_per_s = 0.0;
     std::uint32_t buttons = 0;
     bool pressed(CompanionButton button) const { return (buttons >> static_cast<unsigned>(button) & 1U) != 0; }
 };

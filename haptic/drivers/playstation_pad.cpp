@@ -8,6 +8,7 @@
 
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
+#include "worlds/base/vec.h"
 
 namespace handrail::drivers {
 namespace {
@@ -38,6 +39,12 @@ void put_checksum(std::vector<std::uint8_t>& report) {
 
 double stick(std::uint8_t value) noexcept {
     return std::clamp((static_cast<double>(value) - 128.0) / 127.0, -1.0, 1.0);
+}
+
+// The sensor counts turns to the left as positive, and 32767 is 2048 degrees a second.
+double yaw_right(std::span<const std::uint8_t> yaw) noexcept {
+    const auto raw = static_cast<std::int16_t>(static_cast<std::uint16_t>(yaw[0] | yaw[1] << 8));
+    return radians_from_degrees(-raw * (2048.0 / 32767.0));
 }
 
 std::uint8_t coil(double share) noexcept {
@@ -173,6 +180,7 @@ std::optional<PadInput> parse_pad_input(PadModel model, PadBus bus, std::span<co
     input.right_y = -stick(block[3]);
     // In its report, the DualShock 4 has the buttons first, the DualSense the triggers and a counter.
     const auto keys = block.subspan(sense ? 7 : 4, 3), triggers = block.subspan(sense ? 4 : 7, 2);
+    input.yaw_right_rad_per_s = yaw_right(block.subspan(sense ? 17 : 14, 2));
     input.left_trigger = triggers[0] / 255.0;
     input.right_trigger = triggers[1] / 255.0;
     input.hat = std::min<int>(keys[0] & 15, 8);

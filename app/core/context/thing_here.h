@@ -1,5 +1,5 @@
-// Finds the thing that the person means by "this": what the hand touches, or else what is ahead of the walker. Use it on
-// the app thread only.
+// Finds the thing that the person means by "this": what the hand touches, or else what is ahead of the walker. Use it
+// on the app thread only.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,9 @@ struct ThingHere {
     FeatureId id;
     Vec3 place_m{0.0};  // where the hand touches it or the person faces it, in world metres
 };
-// Returns what the hand touches, if it touches anything. Otherwise returns the nearest thing with a name that is in line
-// of sight ahead, within 30 m and half a sixteenth of a circle, or else the surface straight ahead. Returns no value if
-// none of these has a name.
+// Returns what the hand touches, if it touches anything. Otherwise returns the nearest thing with a name that is in
+// line of sight ahead, within 30 m and half a sixteenth of a circle, or else the surface straight ahead. Returns no
+// value if none of these has a name.
 std::optional<ThingHere> thing_here(const SessionContext& context);
 
 }  // namespace handrail::core

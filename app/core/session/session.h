@@ -120,7 +120,7 @@ public:
     // Returns true if the first minutes have not yet reached the step that greets the person in the world.
     bool greeting_waits() const { return lesson_session_.greeting_waits(); }
     const Vec3& feet_m() const { return state_.avatar.walker->state().feet_m; }
-    bool standing() const { return state_.avatar.walker->state().on_ground; }
+    const WalkerState& avatar() const { return state_.avatar; }
     double heading_rad() const { return state_.avatar.heading_rad; }
     // Returns the free width across the walking direction, at the height of the waist. The result is 0 if a side is
     // open.

@@ -67,8 +67,8 @@ bool Cane::act(Command command, double now_s) {
                 return true;
             }
             if (context_.hands.tuning.panic) {
-                context_.answer(phrase("session.stopped_sounds", {{"key", context_.keys.keys_of(Command::ToggleForces)}}),
-                                now_s);
+                const std::string key = context_.keys.keys_of(Command::ToggleForces);
+                context_.answer(phrase("session.stopped_sounds", {{"key", key}}), now_s);
                 return true;
             }
             const double side = command == Command::CaneRight ? 1.0 : -1.0;
@@ -82,9 +82,10 @@ bool Cane::act(Command command, double now_s) {
 }
 
 Steering Cane::take(const Steering& steering) {
-    held_.stick = 0.0;
+    held_.stick = held_.swing_rad_per_s = 0.0;
     if (!avatar_.cane_out || !std::isfinite(steering.turn_right)) return steering;
     held_.stick = std::clamp(steering.turn_right, -1.0, 1.0);
+    if (std::isfinite(steering.cane_right_rad_per_s)) held_.swing_rad_per_s = steering.cane_right_rad_per_s;
     return {steering.ahead, steering.right, 0.0};
 }
 
@@ -126,6 +127,9 @@ bool Cane::sweep_by_person(double now_s, double dt_s) {
         moves = true;
     } else if (held_.stick != 0.0) {
         bearing_rad_ = held_.stick * kWidest_rad;
+        moves = true;
+    } else if (held_.swing_rad_per_s != 0.0) {
+        bearing_rad_ = std::clamp(bearing_rad_ + held_.swing_rad_per_s * dt_s, -kWidest_rad, kWidest_rad);
         moves = true;
     }
     const Vec3 to_hand = context_.hands.tool.proxy_m - avatar_.feet_m();

@@ -25,8 +25,8 @@ public:
     void enter_world();
     // Carries out the commands of the cane. Returns false if the command belongs to another feature.
     bool act(Command command, double now_s);
-    // While the cane is out, the stick that otherwise turns the walker points the cane. Returns what remains for
-    // walking.
+    // While the cane is out, the stick that otherwise turns the walker points the cane, and a pad in the hand swings
+    // it. Returns what remains for walking.
     Steering take(const Steering& steering);
     // Sweeps the cane. Call it once a tick, after the walker has walked.
     void tick(double now_s, double dt_s);
@@ -53,6 +53,7 @@ private:
     // What the person moves the cane with.
     struct Held {
         double stick = 0.0;              // deflection of the stick, -1 to 1
+        double swing_rad_per_s = 0.0;    // turn of a pad in the hand, to the right
         std::optional<double> hand_rad;  // direction of the hand relative to the heading in the last tick
         double until_s = -1e9;           // until then, the cane follows the person and does not sweep in step
     };

@@ -1,4 +1,4 @@
-// Defines what a stick or a puck requests of the walker. Plain data, which any thread may use.
+// Defines what a stick, a puck or a pad in the hand requests of the walker. Plain data, which any thread may use.
 #pragma once
 
 namespace handrail::core {
@@ -6,6 +6,7 @@ namespace handrail::core {
 // Shares of the walking speed and of the turning rate, from -1 to 1; 0 is the rest position.
 struct Steering {
     double ahead = 0.0, right = 0.0, turn_right = 0.0;
+    double cane_right_rad_per_s = 0.0;  // how fast a pad in the hand turns, which swings the cane
     bool operator==(const Steering&) const = default;
 };
 

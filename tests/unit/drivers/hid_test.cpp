@@ -29,6 +29,7 @@ TEST_P(Pad, reports_sticks_triggers_and_buttons) {
     emulator.sticks = {255, 0, 128, 191};
     emulator.triggers = {51, 255};
     emulator.keys = {0x20 | 2, 0x81, 0x03};
+    emulator.yaw = -1600;  // 100 degrees a second to the right
     emulator.send();
     const auto input = pad.read(0.0);
     ASSERT_TRUE(input);
@@ -38,6 +39,7 @@ TEST_P(Pad, reports_sticks_triggers_and_buttons) {
     EXPECT_NEAR(input->right_y, -63.0 / 127.0, 1e-12);
     EXPECT_DOUBLE_EQ(input->left_trigger, 0.2);
     EXPECT_DOUBLE_EQ(input->right_trigger, 1.0);
+    EXPECT_NEAR(input->yaw_right_rad_per_s, radians_from_degrees(100.0), 1e-4);
     EXPECT_EQ(input->hat, 2);
     EXPECT_EQ(input->buttons, 0b11'1000'0001'0010U);  // the pressed keys: cross, L1, R3, PS, touch pad
 }

@@ -92,8 +92,8 @@ TEST(ExportCommand, uses_the_labels_that_a_person_gave) {
                  "[[landmark]]\ncalled = \"carpenter's bench\"\nname = \"Table\"\nplace_m = [4.4, 2.6, 0.37]\n");
     const Outcome sheet = run({map.string(), "--swell", (folder.path() / "plan.svg").string()});
     EXPECT_EQ(sheet.status, 0) << sheet.err;
-    EXPECT_THAT(read_whole_file(folder.path() / "plan-key-1.svg").value_or(""),
-                testing::HasSubstr("carpenter's bench"));
+    const std::string key = read_whole_file(folder.path() / "plan-key-1.svg").value_or("");
+    EXPECT_THAT(key, testing::HasSubstr("carpenter's bench"));
     const Outcome card =
         run({map.string(), "--route-card", (folder.path() / "card.txt").string(), "--to", "carpenter's bench"});
     EXPECT_EQ(card.status, 0) << card.err;

@@ -113,7 +113,7 @@ TEST(Cane, finds_drops_that_are_then_not_announced_from_afar) {
     EXPECT_THAT(person.said, Contains("Drop at the cane's tip, very deep"));
 }
 
-TEST(Cane, is_swept_by_keys_by_the_stick_and_by_the_hand) {
+TEST(Cane, is_swept_by_keys_by_the_stick_by_a_turning_pad_and_by_the_hand) {
     SceneBuilder b = on_a_floor();
     b.box({-1.2, -1, 0}, {-1.0, 1, 1}, "left post", SolidRole::Solid, "metal");
     b.box({1.0, -1, 0}, {1.2, 1, 1}, "right post", SolidRole::Solid, "metal");
@@ -136,6 +136,12 @@ TEST(Cane, is_swept_by_keys_by_the_stick_and_by_the_hand) {
     EXPECT_EQ(left, (Steering{0.5, 0.25, 0.0})) << "the stick points the cane instead of turning the walker";
     person.tick();
     EXPECT_THAT(person.said, Contains(HasSubstr("Right post")));
+    person.cane.take({});
+    person.run(2.0);
+    person.said.clear();
+    person.cane.take({.cane_right_rad_per_s = -1.2});
+    person.run(2.0);
+    EXPECT_THAT(person.said, Contains(HasSubstr("Left post"))) << "a pad that turns in the hand swings the cane";
     person.cane.take({});
     person.run(2.0);
     person.said.clear();

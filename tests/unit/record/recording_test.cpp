@@ -280,7 +280,7 @@ TEST(RecordedInput, of_every_kind_is_read_back_unchanged) {
     inputs.emplace_back(LineTyped{"the \"kitchen\"\n"});
     inputs.emplace_back(ListsLeft{});
     inputs.emplace_back(ItemActed{{ItemAct::Kind::Put, 3, "Volume", 0.7}});
-    inputs.emplace_back(Steered{{0.1, -0.2, 0.30000000000000004}});
+    inputs.emplace_back(Steered{{0.1, -0.2, 0.30000000000000004, -0.7}});
     inputs.emplace_back(FocusChanged{false});
     inputs.emplace_back(Stopped{4});
     inputs.emplace_back(HandMoved{{0.001, 0.002, -0.003}});
