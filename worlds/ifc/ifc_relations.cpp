@@ -93,6 +93,12 @@ IfcRelations::IfcRelations(const IfcModel& model) {
                 whole_of.emplace(part, reference_at(v, 5));
                 element(part);
             }
+        } else if (instance.name == "IFCRELASSIGNSTOGROUP") {
+            if (const std::uint64_t zone = reference_at(v, 6); model.name(zone) == "IFCZONE")
+                for (const std::uint64_t space : references_at(v, 4)) spaces_of_zone[zone].push_back(space);
+        } else if (instance.name == "IFCRELREFERENCEDINSPATIALSTRUCTURE") {
+            if (const std::uint64_t zone = reference_at(v, 5); model.name(zone) == "IFCSPATIALZONE")
+                for (const std::uint64_t space : references_at(v, 4)) spaces_of_zone[zone].push_back(space);
         } else if (instance.name == "IFCRELDEFINESBYTYPE") {
             for (const std::uint64_t one : references_at(v, 4)) type_of.emplace(one, reference_at(v, 5));
         } else if (instance.name == "IFCRELASSOCIATESMATERIAL") {

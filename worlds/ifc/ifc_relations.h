@@ -49,6 +49,8 @@ struct IfcRelations {
     std::map<std::uint64_t, std::uint64_t> type_of, material_of;
     // Door, window or virtual element -> the spaces that it bounds.
     std::map<std::uint64_t, std::vector<std::uint64_t>> spaces_at;
+    // Zone of a building -> the spaces in it, in file order. A space can be in several zones.
+    std::map<std::uint64_t, std::vector<std::uint64_t>> spaces_of_zone;
     // Space with a border that is not a wall -> the first boundary of this kind.
     std::map<std::uint64_t, std::uint64_t> open_at;
     // Classes that are not part of a building, each with its number of instances.

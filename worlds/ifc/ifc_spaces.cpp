@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "worlds/geometry/clip.h"
@@ -67,6 +69,24 @@ void lay_under_parts(std::vector<StatedStorey>& storeys, const std::vector<IfcPa
     for (StatedStorey& storey : storeys) storey.floor_m += least_part_m - least_storey_m;
 }
 
+// Sets the part of the building that each room is in: the smallest of its zones that has several rooms, but not all.
+void name_parts(IfcBuilding& building, const IfcModel& model, const IfcRelations& relations) {
+    std::vector<std::size_t> smallest(building.rooms.size(), building.rooms.size());
+    for (const auto& [zone, spaces] : relations.spaces_of_zone) {
+        const std::string name = text_at(model.values(zone), 2);
+        std::set<std::uint32_t> rooms;
+        for (const std::uint64_t space : spaces)
+            if (const auto room = building.room_of_id.find(space); room != building.room_of_id.end())
+                rooms.insert(room->second);
+        if (name.empty() || rooms.size() < 2) continue;
+        for (const std::uint32_t room : rooms)
+            if (rooms.size() < smallest[room]) {
+                smallest[room] = rooms.size();
+                building.rooms[room].part = name;
+            }
+    }
+}
+
 }  // namespace
 
 void read_spaces(IfcBuilding& building, IfcModel& model, const IfcRelations& relations, IfcShapes& shapes) {
@@ -109,6 +129,7 @@ void read_spaces(IfcBuilding& building, IfcModel& model, const IfcRelations& rel
         building.room_of_id.emplace(instance.id, static_cast<std::uint32_t>(building.rooms.size()));
         building.rooms.push_back(std::move(room));
     }
+    name_parts(building, model, relations);
     // Sorts the storeys from the lowest up.
     std::vector<std::uint32_t> order(building.storeys.size()), place(building.storeys.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;

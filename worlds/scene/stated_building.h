@@ -26,6 +26,7 @@ struct StatedRoom {
     std::string name;    // for speech: the long name, else the number
     std::string number;  // number of the room, such as "A101"; may be empty
     std::string guid;    // identifier, as the file states it
+    std::string part;    // for speech: the wing or other part of the building that the room is in; may be empty
     std::uint32_t storey = kNotStated;
     // Outline and holes by the even-odd rule; at least one ring, each with at least 3 points.
     std::vector<std::vector<Vec2>> rings;

@@ -214,8 +214,8 @@ void fields(A& a, T& v) {
 }
 template <class A, Is<StatedRoom> T>
 void fields(A& a, T& v) {
-    auto& [name, number, guid, storey, rings, floor, height, at, area, holds_stairs, is_way, source] = v;
-    a(name, number, guid, storey, rings, floor, height, at, area, holds_stairs, is_way, source);
+    auto& [name, number, guid, part, storey, rings, floor, height, at, area, holds_stairs, is_way, source] = v;
+    a(name, number, guid, part, storey, rings, floor, height, at, area, holds_stairs, is_way, source);
 }
 template <class A, Is<StatedPortal> T>
 void fields(A& a, T& v) {

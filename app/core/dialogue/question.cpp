@@ -50,6 +50,7 @@ enum class Meaning : std::uint8_t {
     Window,
     Stairs,
     Storey,
+    Part,
     Ends,
     Off,
     Following,
@@ -60,12 +61,12 @@ enum class Meaning : std::uint8_t {
     Still,
     Small,
 };
-constexpr std::array<std::string_view, 41> kMeanings{
-    "how_many", "unit",   "far",      "size",   "open",   "which", "what",         "list",         "there",
-    "where",    "find",   "nearest",  "go",     "up",     "down",  "upper_storey", "lower_storey", "above",
-    "below",    "behind", "left",     "right",  "home",   "own",   "person",       "called",       "leads",
-    "room",     "door",   "window",   "stairs", "storey", "ends",  "off",          "following",    "beacon",
-    "warmer",   "lines",  "learning", "still",  "small"};
+constexpr std::array<std::string_view, 42> kMeanings{
+    "how_many", "unit",   "far",     "size",     "open",   "which", "what",         "list",         "there",
+    "where",    "find",   "nearest", "go",       "up",     "down",  "upper_storey", "lower_storey", "above",
+    "below",    "behind", "left",    "right",    "home",   "own",   "person",       "called",       "leads",
+    "room",     "door",   "window",  "stairs",   "storey", "part",  "ends",         "off",          "following",
+    "beacon",   "warmer", "lines",   "learning", "still",  "small"};
 using Meanings = std::bitset<kMeanings.size()>;
 
 std::size_t index(Meaning meaning) { return static_cast<std::size_t>(meaning); }
@@ -345,6 +346,7 @@ const std::vector<Rule>& rules() {
         {Kind::GoUp, About::Nothing, these(Up)},
         {Kind::StoreyBelow, About::Nothing, these(Down), asks_what},
         {Kind::GoDown, About::Nothing, these(Down)},
+        {Kind::OwnPart, About::Nothing, these(Part), these(Own, Which, What)},
         {Kind::OwnStorey, About::Nothing, these(Storey), these(Own, Which, What)},
         {Kind::Behind, About::Nothing, these(Behind)},
         {Kind::Left, About::Nothing, these(Left)},

@@ -31,6 +31,7 @@ enum class QuestionKind : std::uint8_t {
     GoUp,  // a route to the next storey
     GoDown,
     OwnStorey,  // on which storey the person is
+    OwnPart,    // in which wing or other part of the building the person is
     Behind,     // what is on a side of the person
     Left,
     Right,

@@ -124,6 +124,8 @@ std::optional<std::string> Answers::words(const Question& question, const Named*
             return go_storey(-1, now_s);
         case QuestionKind::OwnStorey:
             return own_storey();
+        case QuestionKind::OwnPart:
+            return own_part();
         case QuestionKind::Behind:
             return queries_.side_sentence(2);
         case QuestionKind::Left:
@@ -341,6 +343,19 @@ std::string Answers::own_storey() const {
                                         {"storey", storey_name(storeys, own)},
                                         {"number", own + 1},
                                         {"count", storeys.size()}});
+}
+
+std::string Answers::own_part() const {
+    const Scene& scene = *context_.world.scene;
+    const std::uint32_t here = rooms_.here();
+    const std::string part =
+        here == navigation::kNothing ? std::string() : part_of_building(scene, rooms_.graph(), here);
+    if (!part.empty())
+        return phrase("answer.own_part",
+                      {{"known", "yes"}, {"room", sentence_case(rooms_.graph().rooms[here].name)}, {"part", part}});
+    const bool any = scene.stated && std::any_of(scene.stated->rooms.begin(), scene.stated->rooms.end(),
+                                                 [](const StatedRoom& room) { return !room.part.empty(); });
+    return phrase("answer.own_part", {{"known", any ? "none" : "no"}, {"room", ""}, {"part", ""}});
 }
 
 // ---- routes ----

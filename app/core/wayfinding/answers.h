@@ -55,6 +55,7 @@ private:
     std::string storey_beside(int by) const;
     std::string over(const Named* named, int by) const;
     std::string own_storey() const;
+    std::string own_part() const;
     void go_to(const Named& named, double now_s);
     std::optional<std::string> go_storey(int by, double now_s);
     std::uint32_t first_room_of(const std::vector<std::uint32_t>& among) const;

@@ -16,6 +16,8 @@
 #include "app/core/world/questions.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
+#include "worlds/base/text.h"
+#include "worlds/navigation/stated_rooms.h"
 #include "worlds/scene/outer_ground.h"
 #include "worlds/scene/stated_building.h"
 #include "worlds/scene/surfaces.h"
@@ -24,7 +26,7 @@ namespace handrail::core {
 namespace {
 
 constexpr double kThingAtWall_m = 0.8;
-constexpr std::size_t kMostAtWall = 5, kMostNeighbours = 5, kMostHubs = 4;
+constexpr std::size_t kMostAtWall = 5, kMostNeighbours = 5, kMostHubs = 4, kMostParts = 6;
 constexpr std::size_t kMostWordsOfExits = 38;
 // If the names of neighbouring rooms are long, fewer rooms are named, so that the sentence has no more words than this.
 constexpr std::size_t kMostWordsOfNeighbours = 40;
@@ -139,6 +141,25 @@ std::string storeys_sentence(const SessionContext& context, const navigation::Ro
                   {{"world", world}, {"storeys", storeys.size()}, {"rooms", fmt::format("{}", fmt::join(said, ", "))}});
 }
 
+// Returns the wings and other parts that the file names, each with its number of rooms; empty if it names fewer than
+// two.
+std::string parts_sentence(const SessionContext& context, const navigation::RoomGraph& graph) {
+    std::map<std::string, std::size_t> rooms_of;
+    for (std::uint32_t room = 0; room < graph.rooms.size(); ++room)
+        if (const std::string part = part_of_building(*context.world.scene, graph, room); !part.empty())
+            ++rooms_of[part];
+    if (rooms_of.size() < 2) return {};
+    std::vector<std::string> said;
+    for (const auto& [part, rooms] : rooms_of) {
+        if (said.size() == kMostParts) break;
+        said.push_back(phrase("overview.part", {{"part", part}, {"rooms", rooms}}));
+    }
+    std::string list = fmt::format("{}", fmt::join(said, "; "));
+    if (rooms_of.size() > said.size())
+        list = phrase("overview.and_more", {{"names", list}, {"more", rooms_of.size() - said.size()}});
+    return phrase("overview.parts", {{"parts", list}});
+}
+
 std::string shape_sentence(const SessionContext& context, const navigation::RoomGraph& graph) {
     std::vector<Aabb> roofed, all;
     for (const navigation::Room& room : graph.rooms) {
@@ -223,6 +244,11 @@ std::string room_size_words(const SessionContext& context, const Rooms& rooms, s
                                     {"size", size_words(size.x, size.y, distances(context))}});
 }
 
+std::string part_of_building(const Scene& scene, const navigation::RoomGraph& graph, std::uint32_t room) {
+    const StatedRoom* const stated = navigation::stated_room_at(scene, graph.rooms[room].middle_m);
+    return stated ? one_line(stated->part) : std::string();
+}
+
 std::string room_words(const SessionContext& context, const Rooms& rooms, std::uint32_t room) {
     const navigation::RoomGraph& graph = rooms.graph();
     contract_pre(room < graph.rooms.size());
@@ -240,6 +266,8 @@ std::string room_words(const SessionContext& context, const Rooms& rooms, std::u
         text += " " + (storeys[on].file_name.empty()
                            ? phrase("describe.storey", {{"storey", on + 1}})
                            : phrase("describe.storey_named", {{"storey", storey_name(storeys, on)}}));
+    if (const std::string part = part_of_building(*context.world.scene, graph, room); !part.empty())
+        text += " " + phrase("describe.part", {{"part", part}});
     if (std::string runs = extent_words(context, rooms, room); !runs.empty()) text += " " + runs;
     text += " " + exits_words(context, graph, room);
     std::array<std::vector<std::pair<double, std::string>>, kMiddle + 1> things;
@@ -262,7 +290,9 @@ std::string room_words(const SessionContext& context, const Rooms& rooms, std::u
 std::string building_words(const SessionContext& context, const Rooms& rooms) {
     const navigation::RoomGraph& graph = rooms.graph();
     if (graph.rooms.empty()) return phrase("rooms.nowhere");
-    return storeys_sentence(context, graph) + " " + shape_sentence(context, graph) + " " + neighbours_sentence(graph);
+    const std::string parts = parts_sentence(context, graph);
+    return storeys_sentence(context, graph) + " " + (parts.empty() ? parts : parts + " ") +
+           shape_sentence(context, graph) + " " + neighbours_sentence(graph);
 }
 
 Outline outline_of(const std::vector<Aabb>& boxes_m) {

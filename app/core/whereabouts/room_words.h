@@ -9,16 +9,19 @@
 
 namespace handrail::core {
 
-// Describes a room: its size, how it runs if it is a corridor, its exits with their walls, and what is along the walls.
-// The walls are listed clockwise from the west end of the north wall, as seen from above: "Library, 9 by 6 metres, 13
-// by 9 steps. 2 exits: ... North wall: shelf; table."
+// Returns the wing or other part of the building that the room is in, as the file names it; empty if it names none.
+std::string part_of_building(const Scene& scene, const navigation::RoomGraph& graph, std::uint32_t room);
+
+// Describes a room: its size, its storey and part of the building, how it runs if it is a corridor, its exits with
+// their walls, and what is along the walls. The walls are listed clockwise from the west end of the north wall, as seen
+// from above: "Library, 9 by 6 metres, 13 by 9 steps. 2 exits: ... North wall: shelf; table."
 std::string room_words(const SessionContext& context, const Rooms& rooms, std::uint32_t room);
 
 // Returns the name and the size of a room: "Library, 9 by 6 metres, 13 by 9 steps."
 std::string room_size_words(const SessionContext& context, const Rooms& rooms, std::uint32_t room);
 
-// Describes the building in three sentences. They contain the storeys and rooms, the size and outline of everything
-// under a roof, and which rooms connect to which. The rooms with the most neighbours come first.
+// Describes the building in three or four sentences. They contain the storeys and rooms, the parts, the size and
+// outline of everything under a roof, and which rooms connect to which. The rooms with the most neighbours come first.
 std::string building_words(const SessionContext& context, const Rooms& rooms);
 
 // The shape of an outline, as it is announced.

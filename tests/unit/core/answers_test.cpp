@@ -1,9 +1,14 @@
 // Tests that typed questions get an answer of one sentence, and that the answer is true of the world.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 
+#include "tests/support/map_text.h"
 #include "tests/support/names.h"
+#include "tests/support/office_ifc.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/spoken_language.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/core/app_session.h"
 
 namespace handrail {
@@ -106,6 +111,46 @@ TEST(Answers, say_how_a_corridor_runs_and_what_is_at_its_ends) {
     EXPECT_THAT(s.typed("describe the lower corridor"), HasSubstr(runs.substr(runs.find("It runs"))));
     EXPECT_THAT(s.typed("where does the lower corridor run"), runs);
     EXPECT_THAT(s.typed("how big is the library"), ::testing::Not(HasSubstr("It runs")));
+}
+
+// Returns an office of two storeys. Zones of the file divide its rooms into two wings; a third zone has all rooms.
+std::string office_with_wings() {
+    std::string text = test::office_ifc({2, 1, 4}).text;
+    std::vector<std::string> spaces;
+    for (std::size_t at = text.find("=IFCSPACE("); at != std::string::npos; at = text.find("=IFCSPACE(", at + 1))
+        spaces.push_back(text.substr(text.rfind('#', at), at - text.rfind('#', at)));
+    std::string lines;
+    int id = 900000;
+    const auto add = [&](const char* name, const std::vector<std::string>& rooms) {
+        lines += fmt::format("#{0}=IFCZONE('{0}',$,'{2}',$,$);\n#{1}=IFCRELASSIGNSTOGROUP('{1}',$,$,$,({3}),$,#{0});\n",
+                             id, id + 1, name, fmt::join(rooms, ","));
+        id += 2;
+    };
+    const auto half = spaces.begin() + static_cast<std::ptrdiff_t>(spaces.size() / 2);
+    add("All", spaces);
+    add("East wing", {spaces.begin(), half});
+    add("West wing", {half, spaces.end()});
+    return text.insert(text.rfind("ENDSEC;"), lines);
+}
+
+TEST(Answers, name_the_wing_of_a_room_and_the_wings_of_a_building) {
+    const test::TemporaryFolder folder;
+    Visitor s(test::world_in(folder.write("office.ifc", office_with_wings())));
+    const auto& rooms = s.app.scene()->stated->rooms;
+    ASSERT_GE(rooms.size(), 8U);
+    for (const StatedRoom& room : rooms)
+        EXPECT_EQ(room.part, &room < &rooms[rooms.size() / 2] ? "East wing" : "West wing") << room.name;
+    const std::string first = s.typed("describe " + rooms.front().name);
+    EXPECT_THAT(first, HasSubstr(" It is in East wing. "));
+    EXPECT_THAT(s.typed("describe " + rooms.back().name), HasSubstr(" It is in West wing. "));
+    EXPECT_THAT(s.request(Command::Overview), HasSubstr("Its parts: East wing, "));
+    EXPECT_EQ(s.typed("which wing am i in"), "You are in none of the parts that the file names.");
+    s.app.apply(Placed{rooms.front().at_m, 0.0}, s.now);
+    s.run(0.2);
+    EXPECT_THAT(s.typed("which wing am i in"), HasSubstr(" is in East wing."));
+    Visitor house;
+    EXPECT_EQ(house.typed("which wing am i in"),
+              "The file of this world does not say in which wing or part of the building you are.");
 }
 
 TEST(Answers, lead_to_the_first_room_of_the_next_storey) {

@@ -100,6 +100,8 @@ std::string meaning(const Question& question, const std::vector<NameInWorld>& na
             return "go-down";
         case QuestionKind::OwnStorey:
             return "my-storey";
+        case QuestionKind::OwnPart:
+            return "my-part";
         case QuestionKind::Behind:
             return "behind";
         case QuestionKind::Left:
