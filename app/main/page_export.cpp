@@ -1,6 +1,7 @@
 #include "app/main/page_export.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <zlib.h>
 
 #include <algorithm>
