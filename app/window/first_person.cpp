@@ -299,8 +299,8 @@ void FirstPerson::draw_seen(const core::ViewState& view, UploadedScene& scene, c
     edge_program_.use();
     edge_program_.set("clip_from_eye", clip_from_eye);
     edge_program_.set("half_size_px", 0.5F * glm::vec2(picture.width, picture.height));
-    // A line is black with a white core, because one of the two colours stands out on any surface. The cores are drawn
-    // after all black lines, which leave no depth behind, so that no line hides the core of another where they meet.
+    // A line is black with a white core, because one of the two colours stands out on any surface. All black lines are
+    // drawn before all cores and do not write depth. So no line hides the core of another where they meet.
     const float half_width_px = std::max(
         1.5F, 0.5F * kEdgePart * static_cast<float>(view.display.outline_width) * static_cast<float>(window.height));
     for (const bool core : {false, true}) {

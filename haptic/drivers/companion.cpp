@@ -57,8 +57,8 @@ std::uint32_t hat_buttons(int hat) noexcept {
     return out;
 }
 
-// Removes what a sensor reports of a pad that is held still: its drift and the tremor of the hand.
-double still_below(double rate_rad_per_s) noexcept {
+// Returns 0 for a rate that a pad reports while it is held still, from the drift of its sensor or a tremor of the hand.
+double without_tremor(double rate_rad_per_s) noexcept {
     constexpr double kStill_rad_per_s = 0.1;
     return std::abs(rate_rad_per_s) < kStill_rad_per_s ? 0.0 : rate_rad_per_s;
 }
@@ -71,7 +71,7 @@ public:
         state.ahead = stick_curve(input_.left_y);
         state.right = stick_curve(input_.left_x);
         state.turn_right = stick_curve(input_.right_x);
-        state.yaw_right_rad_per_s = still_below(input_.yaw_right_rad_per_s);
+        state.yaw_right_rad_per_s = without_tremor(input_.yaw_right_rad_per_s);
         state.buttons = translated(input_.buttons, kPadButtons) | hat_buttons(input_.hat);
         return !pad_->lost();
     }

@@ -41,7 +41,7 @@ double stick(std::uint8_t value) noexcept {
     return std::clamp((static_cast<double>(value) - 128.0) / 127.0, -1.0, 1.0);
 }
 
-// The sensor counts turns to the left as positive, and 32767 is 2048 degrees a second.
+// Converts a reading of the motion sensor. A positive reading is a turn to the left; 32767 means 2048 degrees a second.
 double yaw_right(std::span<const std::uint8_t> yaw) noexcept {
     const auto raw = static_cast<std::int16_t>(static_cast<std::uint16_t>(yaw[0] | yaw[1] << 8));
     return radians_from_degrees(-raw * (2048.0 / 32767.0));

@@ -38,8 +38,8 @@ struct PadInput {
     // Deflections of the sticks, -1 to 1; right and forward are positive.
     double left_x = 0.0, left_y = 0.0, right_x = 0.0, right_y = 0.0;
     double left_trigger = 0.0, right_trigger = 0.0;  // pull of the trigger, 0 to 1
-    // Rate of turn of the pad itself about its upright axis, clockwise from above, in rad/s; at the nominal scale of
-    // the sensor, because a few per cent and a drift below a degree a second do not matter for pointing.
+    // How fast the pad turns about its upright axis, in rad/s, clockwise from above. The sensor's calibration is not
+    // used, because errors of a few per cent and a drift of a degree a second do not matter for pointing.
     double yaw_right_rad_per_s = 0.0;
     int hat = 8;  // 0: up, then clockwise to 7; 8: not pressed
     // Pressed buttons, from bit 0 on: square cross circle triangle L1 R1 L2 R2 create options L3 R3 PS touch mute.

@@ -136,6 +136,7 @@ std::vector<std::uint8_t> PadEmulator::input() const {
         report.insert(report.end(), {keys[0], keys[1], static_cast<std::uint8_t>(keys[2] | 0xa4), triggers[0],
                                      triggers[1]});  // the bits above the keys contain a counter
     }
+    // Position of the motion sensor's first reading, the pitch. The turn about the upright axis follows it.
     const std::size_t sensor = dual_sense_ ? (bluetooth_ ? 17 : 16) : (bluetooth_ ? 15 : 13);
     report.resize(bluetooth_ ? 74 : 64);
     report[sensor + 2] = static_cast<std::uint8_t>(yaw & 0xff);

@@ -45,7 +45,8 @@ public:
     std::array<std::uint8_t, 4> sticks{128, 128, 128, 128};
     std::array<std::uint8_t, 2> triggers{};
     std::array<std::uint8_t, 3> keys{8, 0, 0};
-    // Turn about the upright axis as the sensor counts it: to the left is positive, and 32767 is 2048 degrees a second.
+    // Reading of the motion sensor for a turn about the upright axis: positive to the left; 32767 means 2048 degrees a
+    // second.
     std::int16_t yaw = 0;
     unsigned version = 0x0224;
 

@@ -104,7 +104,7 @@ struct HandOffered {
 struct Placed {
     Vec3 feet_m;
     double heading_rad = 0.0;
-    std::string name = {};  // name of the place, such as "Kitchen"; empty: not known
+    std::string name = {};  // name of the place, such as "Kitchen", if it is known
 };
 // Enters a world. The walker is placed at the start of the world, and the session announces that place.
 // - additions: what the person added to the world, with the side file; none: additions stay in memory and are lost

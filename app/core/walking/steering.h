@@ -6,7 +6,7 @@ namespace handrail::core {
 // Shares of the walking speed and of the turning rate, from -1 to 1; 0 is the rest position.
 struct Steering {
     double ahead = 0.0, right = 0.0, turn_right = 0.0;
-    double cane_right_rad_per_s = 0.0;  // how fast a pad in the hand turns, which swings the cane
+    double cane_right_rad_per_s = 0.0;  // how fast a pad turns to the right in the hand, which swings the cane
     bool operator==(const Steering&) const = default;
 };
 

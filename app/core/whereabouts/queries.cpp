@@ -118,8 +118,7 @@ std::string Queries::place_and_heading() const {
                                      [](const Feature& feature) { return feature.base; });
     std::string place;
     if (const std::uint32_t room = room_here(); room != navigation::kNothing) place = rooms_.graph().rooms[room].name;
-    // Until the rooms are known, the name of the place where the person began is.
-    if (!rooms_.found() && stands_at(context_.world.begun_feet_m)) place = context_.world.begun_at;
+    else if (!rooms_.found() && stands_at(context_.world.begun_feet_m)) place = context_.world.begun_at;
     if (home) place = joined(place, phrase(at_door ? "questions.at_door" : "questions.at_base"));
     if (place.empty()) place = spoken_name(*context_.world.scene);
     return phrase("questions.place_facing",

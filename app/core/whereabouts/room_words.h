@@ -12,9 +12,9 @@ namespace handrail::core {
 // Returns the wing or other part of the building that the room is in, as the file names it; empty if it names none.
 std::string part_of_building(const Scene& scene, const navigation::RoomGraph& graph, std::uint32_t room);
 
-// Describes a room: its size, its storey and part of the building, how it runs if it is a corridor, its exits with
-// their walls, and what is along the walls. The walls are listed clockwise from the west end of the north wall, as seen
-// from above: "Library, 9 by 6 metres, 13 by 9 steps. 2 exits: ... North wall: shelf; table."
+// Describes a room: its size, its storey, its wing, how it runs if it is a corridor, its exits with their walls, and
+// what is along the walls. The walls are listed clockwise from the west end of the north wall, as seen from above:
+// "Library, 9 by 6 metres, 13 by 9 steps. 2 exits: ... North wall: shelf; table."
 std::string room_words(const SessionContext& context, const Rooms& rooms, std::uint32_t room);
 
 // Returns the name and the size of a room: "Library, 9 by 6 metres, 13 by 9 steps."

@@ -24,8 +24,10 @@ struct WorldState {
     std::unique_ptr<WalkerWorld> solids;  // the solids that a walker bumps into
     Vec3 home_feet_m{0.0};
     double home_heading_rad = 0.0;
-    std::string begun_at;     // name of the place where the person entered the world; empty: not known
-    Vec3 begun_feet_m{0.0};   // where that was
+    // Where the person entered the world, and the name of that place, which is known before the rooms are found. Empty:
+    // the place has no such name.
+    Vec3 begun_feet_m{0.0};
+    std::string begun_at;
     std::vector<Mark> marks;  // the person's marks
 };
 

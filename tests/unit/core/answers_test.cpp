@@ -113,23 +113,23 @@ TEST(Answers, say_how_a_corridor_runs_and_what_is_at_its_ends) {
     EXPECT_THAT(s.typed("how big is the library"), ::testing::Not(HasSubstr("It runs")));
 }
 
-// Returns an office of two storeys. Zones of the file divide its rooms into two wings; a third zone has all rooms.
+// Returns an office of two storeys. An older and a newer kind of zone divide its rooms into two wings; a third zone has
+// all rooms.
 std::string office_with_wings() {
     std::string text = test::office_ifc({2, 1, 4}).text;
     std::vector<std::string> spaces;
     for (std::size_t at = text.find("=IFCSPACE("); at != std::string::npos; at = text.find("=IFCSPACE(", at + 1))
         spaces.push_back(text.substr(text.rfind('#', at), at - text.rfind('#', at)));
-    std::string lines;
-    int id = 900000;
-    const auto add = [&](const char* name, const std::vector<std::string>& rooms) {
-        lines += fmt::format("#{0}=IFCZONE('{0}',$,'{2}',$,$);\n#{1}=IFCRELASSIGNSTOGROUP('{1}',$,$,$,({3}),$,#{0});\n",
-                             id, id + 1, name, fmt::join(rooms, ","));
-        id += 2;
-    };
     const auto half = spaces.begin() + static_cast<std::ptrdiff_t>(spaces.size() / 2);
-    add("All", spaces);
-    add("East wing", {spaces.begin(), half});
-    add("West wing", {half, spaces.end()});
+    const std::vector<std::string> east(spaces.begin(), half), west(half, spaces.end());
+    const std::string lines = fmt::format(
+        "#900000=IFCZONE('z0',$,'All',$,$);\n"
+        "#900001=IFCRELASSIGNSTOGROUP('z1',$,$,$,({}),$,#900000);\n"
+        "#900002=IFCZONE('z2',$,'East wing',$,$);\n"
+        "#900003=IFCRELASSIGNSTOGROUP('z3',$,$,$,({}),$,#900002);\n"
+        "#900004=IFCSPATIALZONE('z4',$,'West wing',$,$,$,$,$,$);\n"
+        "#900005=IFCRELREFERENCEDINSPATIALSTRUCTURE('z5',$,$,$,({}),#900004);\n",
+        fmt::join(spaces, ","), fmt::join(east, ","), fmt::join(west, ","));
     return text.insert(text.rfind("ENDSEC;"), lines);
 }
 
@@ -151,6 +151,9 @@ TEST(Answers, name_the_wing_of_a_room_and_the_wings_of_a_building) {
     Visitor house;
     EXPECT_EQ(house.typed("which wing am i in"),
               "The file of this world does not say in which wing or part of the building you are.");
+    const test::InLanguage spoken("de");
+    Visitor haus;
+    EXPECT_THAT(haus.typed("in welchem Flügel bin ich"), StartsWith("Die Datei dieser Welt sagt nicht"));
 }
 
 TEST(Answers, lead_to_the_first_room_of_the_next_storey) {

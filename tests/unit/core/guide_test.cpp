@@ -315,17 +315,29 @@ void seek(Person& p, const std::string& thing, const std::string& way) {
     p.run(0.05);
 }
 
-// A ray at waist height passes over the table, so the wall behind it is in sight. But nobody can walk through a table.
-TEST(BeaconTest, calls_along_the_route_if_the_target_is_visible_but_the_direct_line_is_blocked) {
+TEST(BeaconTest, is_set_on_the_thing_ahead_or_else_on_the_surface_ahead) {
     Person p;
     p.enter();
-    p.stand_at({2.6, 0.5, 0.0});
+    p.stand_at({1.5, 1.0, 0.0});
+    p.run(0.2);
+    p.tap(Command::SetBeacon);
+    EXPECT_TRUE(p.heard("Beacon on Table")) << testing::PrintToString(p.said);
+    p.stand_at({3.0, 1.0, 0.0});
     p.run(0.2);
     p.tap(Command::SetBeacon);
     EXPECT_TRUE(p.heard("Beacon on North wall")) << testing::PrintToString(p.said);
-    p.stand_at({1.2, 1.0, 0.0});
-    p.run(1.0);
-    p.sounds.clear();
+}
+
+// A ray at waist height passes over the table, so the radiator beyond it is in sight. But nobody can walk through a
+// table.
+TEST(BeaconTest, calls_along_the_route_if_the_target_is_visible_but_the_direct_line_is_blocked) {
+    Person p;
+    p.enter();
+    p.stand_at({0.3, 3.7, 0.0}, 0.5 * kPi);
+    p.run(0.2);
+    ASSERT_NO_FATAL_FAILURE(seek(p, "Radiator", "Beacon"));
+    EXPECT_TRUE(p.heard("Beacon on Radiator")) << testing::PrintToString(p.said);
+    EXPECT_TRUE(p.heard("Along the route")) << testing::PrintToString(p.said);
     p.run(3.0);
     EXPECT_EQ(p.count(SoundKind::BeaconAhead), 0);
     EXPECT_GE(p.count(SoundKind::Beacon), 5);
