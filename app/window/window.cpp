@@ -99,7 +99,6 @@ public:
 
         const std::optional<WindowPlace> wanted = shown_completely(options.place);
         const WindowPlace place = wanted.value_or(whole_screen());
-        glfwWindowHint(GLFW_MAXIMIZED, wanted ? GLFW_FALSE : GLFW_TRUE);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -112,6 +111,9 @@ public:
         }
         if (!window_) return fail(phrase("window.no_opengl", {{"reason", glfw_problem()}}));
         glfwSetWindowPos(window_, place.x, place.y);  // Wayland lets no program place its windows.
+        // The hint GLFW_MAXIMIZED would do the same, but GLFW 3.4 then shows a picture of the wrong size first, for
+        // which a Wayland compositor ends the connection.
+        if (!wanted) glfwMaximizeWindow(window_);
         if (options.full_screen) fill_screen(true);
         glfwMakeContextCurrent(window_);
         glfwSwapInterval(0);
